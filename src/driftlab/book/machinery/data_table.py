@@ -35,6 +35,7 @@ UNITS: dict[str, tuple[float, str]] = {
     "rad_per_s": (1.0, " rad/s"),
     "deg_per_s": (degree, " °/s"),
     "deg_per_h": (degree / hour, "°/h"),
+    "deg_per_sqrt_h": (degree / hour**0.5, "°/√h"),
     "cm": (0.01, " cm"),
     "m": (1.0, " m"),
     "km": (1e3, " km"),
