@@ -78,7 +78,9 @@ WAYS = {
         Coning(0.3, 1.0), 24, {"one": one}, rates=(12, 24)
     ).largest_error,
     "algorithm_orders": lambda one: algorithm_orders({"one": one}).largest_error,
-    "drift_by_frequency_and_rate": lambda one: drift_by_frequency_and_rate({"one": one}).by_rate,
+    "drift_by_frequency_and_rate": lambda one: drift_by_frequency_and_rate(
+        {"one": one}
+    ).measured["one, by rate"],
     "rounding_error": lambda one: rounding_error(one, 20.0, carry=True, seconds=6.0, runs=2),
     "calibration_stages": lambda one: (
         calibration_stages(half_angle=0.01, algorithm=one).aligned_error

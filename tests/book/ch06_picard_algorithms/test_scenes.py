@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy.constants import arcsecond
 
 from driftlab.attitude import coning_drift
 from driftlab.book.ch06_picard_algorithms.experiments import (
@@ -15,24 +14,27 @@ from driftlab.book.ch06_picard_algorithms.experiments.bracket import ROUNDS
 
 
 def test_the_bracket_drifts_as_the_closed_formula_says() -> None:
-    data = bracket_run()
-    seconds, interval = ROUNDS / BRACKET.frequency, 1 / BRACKET_SAMPLE_RATE
-    for algorithm, error in (("picard-1", data.sums_only), ("two-step-4", data.with_pairs)):
-        says = coning_drift(algorithm, BRACKET.half_angle, BRACKET.frequency, interval)
+    table = bracket_run()
+    assert table.time[-1] == pytest.approx(ROUNDS / BRACKET.frequency)
+    for algorithm, missed in (("picard-1", "sums_only"), ("two-step-4", "with_pairs")):
+        says = coning_drift(
+            algorithm, BRACKET.half_angle, BRACKET.frequency, 1 / BRACKET_SAMPLE_RATE
+        )
         # After whole rounds only the growth along the cone's axis is left.
-        assert error[-1] / seconds == pytest.approx(float(says), rel=1e-3)
-    assert -data.sums_only[-1] / arcsecond == pytest.approx(16.2, abs=0.05)
-    assert -data.with_pairs[-1] / arcsecond == pytest.approx(0.317, abs=0.001)
+        assert getattr(table, f"drift_{missed}") == pytest.approx(-float(says), rel=1e-3)
+    assert table.shown("sums_only")[-1] == pytest.approx(16.2, abs=0.05)
+    assert table.shown("with_pairs")[-1] == pytest.approx(0.317, abs=0.001)
 
 
 @pytest.mark.parametrize("rate", [20.0, 40.0, 100.0, 200.0])
 def test_the_slivers_are_the_error_of_sums_only(rate: float) -> None:
     """To the second power of the half angle, so on a narrow cone to its square: 1e-4 or so."""
-    data = bracket_run(BRACKET.half_angle, rate)
-    slivers = (data.area.circle_area - data.area.polygon_area) * np.sin(BRACKET.half_angle) ** 2
-    assert -data.sums_only[-1] == pytest.approx(ROUNDS * slivers, rel=1e-3)
-    assert data.times[-1] == pytest.approx(ROUNDS / BRACKET.frequency)
-    assert data.places.max() < len(data.area.circle)
+    table = bracket_run(BRACKET.half_angle, rate)
+    assert table.sums_only[-1] == pytest.approx(table.slivers[-1], rel=1e-3)
+    circle = np.pi * np.sin(BRACKET.half_angle) ** 2
+    assert table.slivers[-1] == pytest.approx(ROUNDS * table.missed_part * circle)
+    assert table.time[-1] == pytest.approx(ROUNDS / BRACKET.frequency)
+    assert table.places.max() < len(table.circle)
 
 
 def test_the_square_is_left_open_by_its_area() -> None:

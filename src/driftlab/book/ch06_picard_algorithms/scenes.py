@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import ClassVar
 
 import numpy as np
-from scipy.constants import arcsecond, degree
+from scipy.constants import degree
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import ABOVE, box, in_plane, pin
@@ -18,12 +19,8 @@ from driftlab.checks import FloatArray
 from driftlab.motion import Coning
 from driftlab.quaternion import rotate
 
-from .experiments import (
-    DRAWN_HALF_ANGLE,
-    BracketRun,
-    bracket_run,
-)
-from .experiments.bracket import FINE, ROUNDS
+from .experiments import bracket_run
+from .experiments.bracket import FINE
 from .square import SquareThatDoesNotClose
 
 TILT = 15
@@ -37,15 +34,12 @@ LENGTH = 1.2
 class ShakingBracketView(SceneView):
     """The bracket on its cone, what its increments add up to, and the error that grows."""
 
-    def stage(self, data: BracketRun) -> Stage:
-        drawn = Coning(TILT * data.motion.half_angle, data.motion.frequency)
-        attitude = drawn.attitude(data.times)
-        size = np.sin(data.motion.half_angle) ** 2
-        slivers = (data.area.circle_area - data.area.polygon_area) * size
-        predicted = slivers * data.motion.frequency * data.times / arcsecond
-        sums_only, with_pairs = -data.sums_only / arcsecond, -data.with_pairs / arcsecond
+    def stage(self, table: DataTable) -> Stage:
+        drawn = Coning(TILT * table.motion.half_angle, table.motion.frequency)
+        attitude = drawn.attitude(table.time)
+        slivers, sums_only, with_pairs = map(table.shown, ("slivers", "sums_only", "with_pairs"))
         return Stage(
-            times=data.times,
+            times=table.time,
             time_unit="s",
             seconds=12.0,
             tracks={"body": attitude},
@@ -53,7 +47,7 @@ class ShakingBracketView(SceneView):
                 View(f"the bracket, tilt × {TILT}", cone_parts(attitude), reach=1.5),
                 View(
                     "its rate, summed: circle, samples, slivers",
-                    circle_parts(data),
+                    circle_parts(table),
                     **ABOVE,
                     reach=1.15,
                 ),
@@ -62,18 +56,18 @@ class ShakingBracketView(SceneView):
                 Plot(
                     "missed about the axis of the cone, ″",
                     (
-                        Curve("slivers, added up", predicted, "soft"),
+                        Curve("slivers, added up", slivers, "soft"),
                         Curve("sums only", sums_only, "ghost"),
                         Curve("with pairs", with_pairs, "good"),
                     ),
                     0.0,
-                    reach(np.concatenate([sums_only, predicted]))[1],
+                    reach(np.concatenate([sums_only, slivers]))[1],
                 ),
             ),
             readouts=(
                 Readout("missed, sums only", sums_only, 2, "″"),
                 Readout("missed, with pairs", with_pairs, 2, "″"),
-                Readout("rounds", data.motion.frequency * data.times, 2, ""),
+                Readout("rounds", table.motion.frequency * table.time, 2, ""),
             ),
         )
 
@@ -90,15 +84,13 @@ def cone_parts(attitude: FloatArray) -> tuple[Part, ...]:
     )
 
 
-def circle_parts(data: BracketRun) -> tuple[Part, ...]:
+def circle_parts(table: DataTable) -> tuple[Part, ...]:
     """The way of the summed rate, its samples with their chords, and the slivers between."""
-    radius = np.sin(DRAWN_HALF_ANGLE)
     middle = np.array([1.0, 0.0])  # the sum begins on the circle
-    circle = in_plane(data.area.circle / radius + middle)
-    corners = in_plane(data.area.corners / radius + middle)
-    parts = [Part("line", circle, "soft"), Part("dot", circle[data.places, np.newaxis], "gyro")]
-    for i in range(data.area.samples):
-        ready = (i + 1) * data.in_a_sample
+    circle, corners = in_plane(table.circle + middle), in_plane(table.corners + middle)
+    parts = [Part("line", circle, "soft"), Part("dot", circle[table.places, np.newaxis], "gyro")]
+    for i in range(table.samples):
+        ready = (i + 1) * table.in_a_sample
         arc = circle[i * FINE : (i + 1) * FINE + 1 : 4]
         parts += [
             Part("face", arc, "missed", lift=0.15, since=ready),
@@ -130,25 +122,20 @@ class ShakingBracket(SceneExplorer):
         "A cone twice as wide": "The same slivers, of a circle twice as wide. Guess the error.",
     }
 
-    def compute(self, values: Values) -> BracketRun:
+    def compute(self, values: Values) -> DataTable:
         return bracket_run(values["half_angle"] * degree, values["rate"])
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         x, y, z = direction
         return {"half_angle": np.arctan2(np.hypot(x, y), z) / degree / TILT}
 
-    def numbers(self, data: BracketRun) -> Results:
-        seconds = ROUNDS / data.motion.frequency
-        sums_only, with_pairs = (
-            f"{-error[-1] / arcsecond / seconds:.3f}°/h"  # the same as arc seconds a second
-            for error in (data.sums_only, data.with_pairs)
-        )
+    def numbers(self, table: DataTable) -> Results:
         return Results(
-            ("drift, sums only", sums_only),
+            table.row("drift_sums_only", ".3f"),
             [
-                ("drift, with pairs", with_pairs),
-                ("samples in a round", str(data.area.samples)),
-                ("missed part of the circle", f"{100 * missed(data):.3f} %"),
+                table.row("drift_with_pairs", ".3f"),
+                table.row("samples", "g"),
+                table.row("missed_part", ".3f"),
             ],
         )
 
@@ -165,11 +152,6 @@ class ShakingBracket(SceneExplorer):
             "error = multiply(computed, conjugate(motion.attitude(1.0)))\n"
             "print(to_rotation_vector(error)[2] / arcsecond)"
         )
-
-
-def missed(data: BracketRun) -> float:
-    """Part of the circle that is outside the polygon."""
-    return 1 - data.area.polygon_area / data.area.circle_area
 
 
 SCENES = (ShakingBracket, SquareThatDoesNotClose)

@@ -8,6 +8,7 @@ import numpy as np
 from scipy.constants import degree
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import ABOVE, box, frame_of_box, in_plane, pin
@@ -16,7 +17,7 @@ from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stag
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.checks import FloatArray
 
-from .experiments import SquareOfTurns, square_of_turns
+from .experiments import square_of_turns
 
 HALF_SIZES = (0.6, 0.45, 0.3)
 """Of the body."""
@@ -29,20 +30,19 @@ WIDEST = 60.0
 class SquareView(SceneView):
     """A body that makes four turns, the square of its increments, and what is left."""
 
-    def stage(self, data: SquareOfTurns) -> Stage:
-        about_third, area = data.vector[:, 2] / degree, data.area / degree
-        angle = np.linalg.norm(data.vector, axis=-1) / degree
+    def stage(self, table: DataTable) -> Stage:
+        area, about_third, angle = map(table.shown, ("area", "about_third", "angle"))
         high = reach(np.concatenate([about_third, area]))[1]
         return Stage(
-            times=data.turns,
+            times=table.turns,
             time_unit="turns",
             seconds=8.0,
-            tracks={"body": data.attitude},
+            tracks={"body": table.attitude},
             views=(
                 View(
-                    "four turns, as large as they are", body_parts(data), azimuth=-35.0, reach=1.5
+                    "four turns, as large as they are", body_parts(table), azimuth=-35.0, reach=1.5
                 ),
-                View("its increments, summed", square_parts(data), **ABOVE),
+                View("its increments, summed", square_parts(table), **ABOVE),
             ),
             plots=(
                 Plot(
@@ -63,9 +63,9 @@ class SquareView(SceneView):
         )
 
 
-def body_parts(data: SquareOfTurns) -> tuple[Part, ...]:
+def body_parts(table: DataTable) -> tuple[Part, ...]:
     """The body and where it began, the ways of two of its axes, and handles for the turns."""
-    first, second = data.summed.max(axis=0)
+    first, second = table.summed.max(axis=0)
     down = np.array([0.0, -np.sin(first), np.cos(first)])
     aside = np.array([np.sin(second), 0.0, np.cos(second)])
     return (
@@ -73,17 +73,17 @@ def body_parts(data: SquareOfTurns) -> tuple[Part, ...]:
         *frame_of_box(HALF_SIZES, "soft"),
         *pin((LENGTH, 0.0, 0.0), "gyro", "body", text="1"),
         *pin((0.0, 0.0, LENGTH), "gyro", "body", text="3"),
-        Part("trace", LENGTH * data.tips[:, 0], "trace"),
-        Part("trace", LENGTH * data.tips[:, 2], "trace"),
+        Part("trace", LENGTH * table.tips[:, 0], "trace"),
+        Part("trace", LENGTH * table.tips[:, 2], "trace"),
         *pin(LENGTH * down, "axis", handle="turn about axis 1"),
         *pin(LENGTH * aside, "axis", handle="turn about axis 2"),
     )
 
 
-def square_parts(data: SquareOfTurns) -> tuple[Part, ...]:
+def square_parts(table: DataTable) -> tuple[Part, ...]:
     """The way round the square in its plane, and the area that it has gone round."""
     scale = 2 / np.radians(WIDEST)
-    way = in_plane(scale * data.summed) - [1.0, 1.0, 0.0]
+    way = in_plane(scale * table.summed) - [1.0, 1.0, 0.0]
     side = (len(way) - 1) // 4
     moments = np.arange(len(way))
     # From the start over the corners passed so far to where it is.
@@ -119,7 +119,7 @@ class SquareThatDoesNotClose(SceneExplorer):
         "A narrow strip": "As long as the last one, and narrow. What counts: length or area?",
     }
 
-    def compute(self, values: Values) -> SquareOfTurns:
+    def compute(self, values: Values) -> DataTable:
         return square_of_turns(values["first"] * degree, values["second"] * degree)
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
@@ -128,14 +128,13 @@ class SquareThatDoesNotClose(SceneExplorer):
             return {"first": np.arctan2(-y, z) / degree}
         return {"second": np.arctan2(x, z) / degree}
 
-    def numbers(self, data: SquareOfTurns) -> Results:
-        left = np.linalg.norm(data.vector[-1]) / degree
+    def numbers(self, table: DataTable) -> Results:
+        area, about_third, angle = (
+            f"{table.shown(title)[-1]:.2f}°" for title in ("area", "about_third", "angle")
+        )
         return Results(
-            ("left after the four turns", f"{left:.2f}°"),
-            [
-                ("about the third axis", f"{data.vector[-1, 2] / degree:.2f}°"),
-                ("area of the square", f"{data.area[-1] / degree:.2f}°"),
-            ],
+            ("left after the four turns", angle),
+            [("about the third axis", about_third), ("area of the square", area)],
         )
 
     def call(self, values: Values) -> str:

@@ -10,14 +10,12 @@ from .algorithms import (
     algorithm_errors,
     algorithm_orders,
 )
-from .bracket import BracketRun, SquareOfTurns, bracket_run, square_of_turns
+from .bracket import bracket_run, square_of_turns
 from .closed_cones import ClosedCone, closed_cone, swept_in_a_sample
 from .coning import (
     BRACKET,
     BRACKET_SAMPLE_RATE,
     DRAWN_HALF_ANGLE,
-    ConingArea,
-    ConingDrift,
     coning_area,
     drift_by_frequency_and_rate,
 )
@@ -113,15 +111,11 @@ __all__ = [
     "WORD_MOTIONS",
     "WORD_STARTS",
     "WORD_STEPS",
-    "BracketRun",
     "ClosedCone",
-    "ConingArea",
-    "ConingDrift",
     "LastStageErrors",
     "NoiseAndBand",
     "Sculling",
     "ShortWord",
-    "SquareOfTurns",
     "WindowErrors",
     "advice_gain",
     "algorithm_errors",

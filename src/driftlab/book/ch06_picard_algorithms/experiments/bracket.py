@@ -1,12 +1,10 @@
 """The bracket of the puzzle as it runs, and the square of small turns that does not close."""
 
-from typing import NamedTuple
-
 import numpy as np
-from numpy.typing import NDArray
 
 from driftlab.attitude.integration import integrate
-from driftlab.checks import FloatArray, finite_number, positive_number
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.checks import finite_number, positive_number
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import (
     conjugate,
@@ -16,32 +14,19 @@ from driftlab.quaternion import (
     to_rotation_vector,
 )
 
-from .coning import BRACKET, BRACKET_SAMPLE_RATE, ConingArea, coning_area
+from .coning import BRACKET, BRACKET_SAMPLE_RATE, coning_area
 
 ROUNDS = 5
 """Rounds of the cone in a run, one second on the bracket of the puzzle."""
 FINE = 24
-"""Points of `ConingArea.circle` in a sample."""
+"""Points of the circle of `coning_area` in a sample."""
 MOST_MOMENTS = 480
 """Of a run."""
 
 
-class BracketRun(NamedTuple):
-    """`ROUNDS` rounds on a cone, and what two computers make of the same increments."""
-
-    times: FloatArray  # (m,), s
-    in_a_sample: int  # moments
-    places: NDArray[np.integer]  # (m,), where in `area.circle` the run is at each moment
-    # (m,), error of `picard-1` about the axis of the cone, by its last result, rad
-    sums_only: FloatArray
-    with_pairs: FloatArray  # (m,), the same of `two-step-4`
-    area: ConingArea  # one round
-    motion: Coning
-
-
 def bracket_run(
     half_angle: float = BRACKET.half_angle, rate: float = BRACKET_SAMPLE_RATE
-) -> BracketRun:
+) -> DataTable:
     """Run the bracket for `ROUNDS` rounds, and compute its attitude in two ways.
 
     An even number of samples, four at least, must make a round.
@@ -55,31 +40,42 @@ def bracket_run(
     count = ROUNDS * samples
     moments = np.arange(count * in_a_sample + 1)
     increments = motion.increments(1 / rate, count)
-    errors = []
+    missed = []
     for algorithm, length in (("picard-1", 1), ("two-step-4", 2)):
         found = integrate(increments, algorithm, start=motion.attitude(0.0))
         there = np.arange(1, count // length + 1) * length
         error = to_rotation_vector(multiply(found, conjugate(motion.attitude(there / rate))))[:, 2]
-        known = np.concatenate([[0.0], error])
-        errors.append(known[moments // (in_a_sample * length)])
-    fine = moments * (FINE // in_a_sample) % (samples * FINE)
+        known = np.concatenate([[0.0], -error])
+        missed.append(known[moments // (in_a_sample * length)])
     times = moments / (in_a_sample * rate)
-    return BracketRun(times, in_a_sample, fine, errors[0], errors[1], area, motion)
+    slivers = (area.circle_area - area.polygon_area) * np.sin(motion.half_angle) ** 2
+    return DataTable(
+        {
+            "time": (times, "s", "since the start"),
+            "slivers": (slivers * motion.frequency * times, "arcsec", "their area, added up"),
+            "sums_only": (missed[0], "arcsec", "missed about the axis of the cone by picard-1"),
+            "with_pairs": (missed[1], "arcsec", "the same by two-step-4"),
+        },
+        {
+            "motion": (motion, "", "of the bracket"),
+            "in_a_sample": (in_a_sample, "", "moments in a sample"),
+            "circle": (area.circle.T / area.radius, "", "integral of the rate, over its radius"),
+            "corners": (area.corners.T / area.radius, "", "the same, summed from increments"),
+            "places": (
+                moments * (FINE // in_a_sample) % (samples * FINE), "",
+                "where on the circle the run is at each moment",
+            ),
+            "drift_sums_only": (missed[0][-1] / times[-1], "deg_per_h", "drift, sums only"),
+            "drift_with_pairs": (missed[1][-1] / times[-1], "deg_per_h", "drift, with pairs"),
+            "samples": (samples, "", "samples in a round"),
+            "missed_part": (
+                1 - area.polygon_area / area.circle_area, "percent", "missed part of the circle"
+            ),
+        },
+    )  # fmt: skip
 
 
-class SquareOfTurns(NamedTuple):
-    """A body that makes four small turns about two of its axes by turns, there and back."""
-
-    turns: FloatArray  # (m,), 0 to 4, how many turns it has made
-    # (m, 2), sum of its increments about the two axes, rad: the way round the square
-    summed: FloatArray
-    attitude: FloatArray  # (m, 4), from the body to where it began
-    vector: FloatArray  # (m, 3), rotation vector of `attitude`, rad
-    area: FloatArray  # (m,), that the way has gone round as seen from its start, rad²
-    tips: FloatArray  # (m, 3, 3), the three body axes, as rows
-
-
-def square_of_turns(first: float, second: float, samples: int = 75) -> SquareOfTurns:
+def square_of_turns(first: float, second: float, samples: int = 75) -> DataTable:
     """Turn a body about axis 1, about axis 2, back about axis 1, and back about axis 2."""
     sides = np.array([finite_number(first, "first"), finite_number(second, "second")])
     corners = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]) * sides
@@ -94,11 +90,20 @@ def square_of_turns(first: float, second: float, samples: int = 75) -> SquareOfT
         attitude[now] = multiply(attitude[side * samples], from_rotation_vector(turned))
     x, y = summed.T
     swept = 0.5 * np.cumsum(x[:-1] * np.diff(y) - y[:-1] * np.diff(x))
-    return SquareOfTurns(
-        turns,
-        summed,
-        attitude,
-        to_rotation_vector(attitude),
-        np.concatenate([[0.0], swept]),
-        rotate(attitude[:, np.newaxis], np.eye(3)),
+    vector = to_rotation_vector(attitude)
+    area = np.concatenate([[0.0], swept])
+    return DataTable(
+        {
+            "turns": (turns, "", "made"),
+            # rad², to be compared with an angle
+            "area": (area, "deg", "that the way has gone round as seen from its start"),
+            "about_third": (vector[:, 2], "deg", "the body has turned about its third axis"),
+            "angle": (np.linalg.norm(vector, axis=-1), "deg", "it has turned in all"),
+        },
+        {
+            "summed": (summed, "rad", "sums of the increments about two axes: the way round"),
+            "attitude": (attitude, "", "from the body to where it began"),
+            "vector": (vector, "rad", "rotation vector of the attitude"),
+            "tips": (rotate(attitude[:, np.newaxis], np.eye(3)), "", "body axes, as rows"),
+        },
     )

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from contextlib import suppress
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +15,7 @@ from driftlab.attitude.coning_algorithms import (
 )
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.measured_drift import measured_coning_drift
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, finite_number, positive_number, whole_number
 from driftlab.motion.profiles import Coning
 
@@ -36,42 +36,7 @@ FINE_SAMPLE_RATES: FloatArray = np.geomspace(12, 1000, 200)
 """Where the formula's curves are drawn, Hz."""
 
 
-class ConingArea(NamedTuple):
-    """One round on a cone, as the integral of the rate across the cone's axis sees it.
-
-    Areas are in units of the square of the circle's radius.
-    """
-
-    samples: int  # increments in one round
-    cone: FloatArray  # (m, 3), third body axis, in the axes of the cone, all along the round
-    circle: FloatArray  # (m, 2), integral of the rate across the cone's axis, rad
-    corners: FloatArray  # (samples + 1, 2), the same, summed from increments, rad
-    circle_area: float  # inside `circle`
-    polygon_area: float  # inside `corners`
-    # area that the increments give if two thirds of γ1 × γ2 are added for each pair
-    paired_area: float
-    radius: float  # of the circle, rad
-
-
-class ConingDrift(NamedTuple):
-    """Sizes of the drift on a cone, by algorithm; NaN where one refuses so few samples a round."""
-
-    names: tuple[str, ...]  # the algorithms
-    half_angle: float  # of the cone, rad
-    frequency: float  # of the cone where the sample rate varies, Hz
-    sample_rate: float  # of the gyros where the frequency varies, Hz
-    frequencies: FloatArray  # (m,), coning frequencies, Hz
-    # (algorithm, m), drift at these frequencies, measured over many steps, rad/s
-    by_frequency: FloatArray
-    rates: FloatArray  # (n,), sample rates, Hz
-    by_rate: FloatArray  # (algorithm, n), drift at these sample rates, measured, rad/s
-    fine_frequencies: FloatArray  # (p,), Hz
-    formula_by_frequency: FloatArray  # (algorithm, p), drift by the closed formula, rad/s
-    fine_rates: FloatArray  # (q,), Hz
-    formula_by_rate: FloatArray  # (algorithm, q), drift by the closed formula, rad/s
-
-
-def coning_area(samples: int = 8, half_angle: float = DRAWN_HALF_ANGLE) -> ConingArea:
+def coning_area(samples: int = 8, half_angle: float = DRAWN_HALF_ANGLE) -> DataTable:
     """Compute the areas inside the sums of the increments of one round on a cone.
 
     On a cone the integral of the rate runs round a circle. What the rotations add up to about the
@@ -92,16 +57,25 @@ def coning_area(samples: int = 8, half_angle: float = DRAWN_HALF_ANGLE) -> Conin
     pairs = increments[0::2] + increments[1::2]
     segments = (2 / 3) * _cross(increments[0::2], increments[1::2]).sum()
     third = Rotation.from_quat(motion.attitude(np.arange(fine + 1) / fine)).apply([0, 0, 1])
-    return ConingArea(
-        samples,
-        third,
-        _path(motion.increments(1 / fine, fine)[:, :2]),
-        corners,
-        float(np.pi),
-        _area(corners) / radius**2,
-        float(_area(_path(pairs)) + segments) / radius**2,
-        radius,
-    )
+    circle = _path(motion.increments(1 / fine, fine)[:, :2])
+    return DataTable(
+        {
+            "corners": (corners.T, "rad", "sums of the increments across the cone's axis", "xy"),
+            "circle": (circle.T, "rad", "integral of the rate across it, along the round", "xy"),
+            "third_axis": (third.T, "", "of the body, in the axes of the cone", "xyz"),
+        },
+        {
+            "samples": (samples, "", "increments in one round"),
+            "radius": (radius, "rad", "radius of the circle"),
+            # In units of the square of the radius.
+            "circle_area": (float(np.pi), "", "area of the circle over its radius squared"),
+            "polygon_area": (_area(corners) / radius**2, "", "area of the polygon, likewise"),
+            "paired_area": (
+                float(_area(_path(pairs)) + segments) / radius**2, "",
+                "area if two thirds of γ1 × γ2 are added for each pair, likewise",
+            ),
+        },
+    )  # fmt: skip
 
 
 def _path(increments: FloatArray) -> FloatArray:
@@ -121,7 +95,7 @@ def drift_by_frequency_and_rate(
     half_angle: float = BRACKET.half_angle,
     frequency: float = BRACKET.frequency,
     sample_rate: float = BRACKET_SAMPLE_RATE,
-) -> ConingDrift:
+) -> DataTable:
     """Compute the drift of algorithms over coning frequencies and over sample rates."""
     chosen = named_algorithms(algorithms)
     angle = positive_number(half_angle, "half_angle")
@@ -130,24 +104,36 @@ def drift_by_frequency_and_rate(
         positive_number(sample_rate, "sample_rate"),
     )
 
-    def sizes(drift: _Drift, frequencies: ArrayLike, rates: ArrayLike) -> FloatArray:
-        return np.array(
-            [_where_it_works(drift, one, angle, frequencies, rates) for one in chosen.values()]
-        )
+    def sizes(drift: _Drift, frequencies: FloatArray, rates: FloatArray) -> dict[str, FloatArray]:
+        ways: dict[str, tuple[ArrayLike, ArrayLike]] = {
+            "by frequency": (frequencies, rate),
+            "by rate": (cone, rates),
+        }
+        found = {
+            f"{name}, {way}": _where_it_works(drift, one, angle, *where)
+            for name, one in chosen.items()
+            for way, where in ways.items()
+        }
+        # No drift at all has no place on a logarithmic axis.
+        return {title: np.where(size > 0, size, np.nan) for title, size in found.items()}
 
-    return ConingDrift(
-        tuple(chosen),
-        angle,
-        cone,
-        rate,
-        DRIFT_FREQUENCIES,
-        sizes(measured_coning_drift, DRIFT_FREQUENCIES, rate),
-        DRIFT_SAMPLE_RATES,
-        sizes(measured_coning_drift, cone, DRIFT_SAMPLE_RATES),
-        FINE_FREQUENCIES,
-        sizes(coning_drift, FINE_FREQUENCIES, rate),
-        FINE_SAMPLE_RATES,
-        sizes(coning_drift, cone, FINE_SAMPLE_RATES),
+    measured = sizes(measured_coning_drift, DRIFT_FREQUENCIES, DRIFT_SAMPLE_RATES)
+    formula = sizes(coning_drift, FINE_FREQUENCIES, FINE_SAMPLE_RATES)
+    return DataTable(
+        {
+            "frequency": (DRIFT_FREQUENCIES, "Hz", "coning frequency of what is measured"),
+            "rate": (DRIFT_SAMPLE_RATES, "Hz", "sample rate of what is measured"),
+            "formula_frequency": (FINE_FREQUENCIES, "Hz", "coning frequency of the formula"),
+            "formula_rate": (FINE_SAMPLE_RATES, "Hz", "sample rate of the formula"),
+            "measured": (measured, "deg_per_h", "size of the drift over many steps"),
+            "formula": (formula, "deg_per_h", "size of the drift by the closed formula"),
+        },
+        {
+            "algorithms": ([*chosen], "", "compared"),
+            "half_angle": (angle, "deg", "half angle of the cone"),
+            "cone_frequency": (cone, "Hz", "coning frequency where the sample rate varies"),
+            "sample_rate": (rate, "Hz", "sample rate where the coning frequency varies"),
+        },
     )
 
 

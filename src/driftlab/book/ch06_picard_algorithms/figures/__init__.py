@@ -18,15 +18,14 @@ from . import (
 )
 
 FIGURES = (
-    FigureDefinition(
+    table_figure(
         "06-coning-area",
         experiments.coning_area,
         coning_area.draw,
-        coning_area.columns,
-        lambda data: (
+        lambda table: (
             "At right angles to the axis of the cone the increments add up to a closed curve. On a "
             "narrow cone the rotation about that axis is the area inside; sums of increments "
-            f"enclose a polygon and miss the slivers ({data.samples} samples a round are drawn). "
+            f"enclose a polygon and miss the slivers ({table.samples} samples a round are drawn). "
             "On the right, a pair of samples with their triangle."
         ),
     ),
@@ -42,11 +41,10 @@ FIGURES = (
             "axis the rotation vectors have no error but rounding."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "06-coning-drift",
         experiments.drift_by_frequency_and_rate,
         coning_drift.draw,
-        coning_drift.columns,
         lambda _: (
             "Apparent drift of a body that does not turn on the whole: marks measured over "
             f"{MEASURED_STEPS} steps of each algorithm, lines from a single step."

@@ -2,9 +2,9 @@
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 
+from driftlab.book.machinery.drawing import Drawing, from_table
 from driftlab.book.machinery.picture import (
     BLACK,
     BLUE,
@@ -12,27 +12,16 @@ from driftlab.book.machinery.picture import (
     ORANGE,
     SERIES,
     VERMILION,
-    in_style,
     plain_axes,
     project,
 )
-from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
-from ..experiments import ConingArea
 
-
-def columns(data: ConingArea) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: corners of the polygon, circle and cone."""
-    table = {"x_rad": data.corners[:, 0], "y_rad": data.corners[:, 1]}
-    table |= {"circle_x_rad": data.circle[:, 0], "circle_y_rad": data.circle[:, 1]}
-    return table | {f"third_axis_{name}": data.cone[:, i] for i, name in enumerate("xyz")}
-
-
-@in_style
-def draw(data: ConingArea, sheet: Sheet) -> Figure:
+@from_table
+def draw(drawing: Drawing) -> None:
     """Draw the cone, the circle with the polygon, and one pair of samples."""
-    figure, panels = sheet.mosaic(
+    panels = drawing.mosaic(
         "abc", (10.5, 4.0), (0.01, 0.05, 0.985, 0.9), spaces=(0.15, 0.2), column="a;b;c",
         width_ratios=[0.8, 1, 1], column_heights=[0.8, 1, 1],
     )  # fmt: skip
@@ -45,37 +34,38 @@ def draw(data: ConingArea, sheet: Sheet) -> Figure:
         panel.set_title(title)
         panel.set_aspect("equal")
         panel.axis("off")
-    _draw_cone(cone, data)
-    _draw_round(round_, data)
-    _draw_pair(pair, data)
-    return figure
+    table = drawing.table
+    circle, corners = table.circle.T, table.corners.T
+    _draw_cone(cone, table.third_axis.T)
+    _draw_round(round_, circle, corners, table.radius)
+    arc = circle[: 2 * (len(circle) - 1) // table.samples + 1]
+    _draw_pair(pair, arc, corners[:3])
 
 
-def _draw_cone(panel: Axes, data: ConingArea) -> None:
+def _draw_cone(panel: Axes, third_axis: FloatArray) -> None:
     plain_axes(panel, 1.2)
     panel.set_ylim(-0.35, 1.45)
     up = project(np.array([0.0, 0.0, 1.25]))
     panel.plot([0, up[0]], [0, up[1]], color=BLACK, linewidth=0.9, linestyle="-.")
-    panel.plot(*project(data.cone).T, **SERIES[0])
+    panel.plot(*project(third_axis).T, **SERIES[0])
     # The last point of the round is its first again.
-    for tip in project(data.cone[: -1 : len(data.cone) // 8]):
+    for tip in project(third_axis[: -1 : len(third_axis) // 8]):
         panel.plot([0, tip[0]], [0, tip[1]], color=GREY, linewidth=0.9)
 
 
-def _draw_round(panel: Axes, data: ConingArea) -> None:
-    panel.add_patch(Polygon(data.circle, closed=True, color=ORANGE, alpha=0.6, linewidth=0))
-    panel.add_patch(Polygon(data.corners, closed=True, color="white", linewidth=0))
-    panel.plot(*data.circle.T, **SERIES[0], label="true")
-    panel.plot(*data.corners.T, color=VERMILION, marker="o", markersize=4,
+def _draw_round(panel: Axes, circle: FloatArray, corners: FloatArray, radius: float) -> None:
+    panel.add_patch(Polygon(circle, closed=True, color=ORANGE, alpha=0.6, linewidth=0))
+    panel.add_patch(Polygon(corners, closed=True, color="white", linewidth=0))
+    panel.plot(*circle.T, **SERIES[0], label="true")
+    panel.plot(*corners.T, color=VERMILION, marker="o", markersize=4,
                label="from samples")  # fmt: skip
     panel.legend(loc="center")
-    reach, radius = 1.1 * data.radius, data.radius
+    reach = 1.1 * radius
     panel.set(xlim=(-reach - radius, reach - radius), ylim=(-reach, reach))
 
 
-def _draw_pair(panel: Axes, data: ConingArea) -> None:
-    first, middle, last = corners = data.corners[:3]
-    arc = data.circle[: 2 * (len(data.circle) - 1) // data.samples + 1]
+def _draw_pair(panel: Axes, arc: FloatArray, corners: FloatArray) -> None:
+    first, middle, last = corners
     panel.add_patch(Polygon(arc, closed=True, color=ORANGE, alpha=0.6, linewidth=0))
     panel.add_patch(Polygon(corners, closed=True, facecolor="none", edgecolor=BLUE, hatch="///"))
     panel.plot(*arc.T, **SERIES[0])
