@@ -150,9 +150,9 @@ KINDS = ("measured", "formula")
 
 @published("06-last-stages")
 def test_last_stages_part_on_wide_cones_and_in_fast_turns(figure: PublishedFigure) -> None:
-    data = figure.data
-    drift = dict(zip(COMPARED_STAGES, np.abs(data.drifts), strict=True))
-    narrow, wide = data.half_angles < np.radians(3), data.half_angles > np.radians(30)
+    table = figure.data
+    drift = dict(zip(COMPARED_STAGES, table.drift, strict=True))
+    narrow, wide = table.half_angle < np.radians(3), table.half_angle > np.radians(30)
     for stage in COMPARED_STAGES:
         np.testing.assert_allclose(
             drift[stage][narrow], drift["rotation vector"][narrow], rtol=0.005
@@ -162,8 +162,8 @@ def test_last_stages_part_on_wide_cones_and_in_fast_turns(figure: PublishedFigur
     assert np.all(drift["tangent"][wide] < 0.75 * drift["third iterate"][wide])
     assert np.all(drift["rotation vector"][wide] < drift["tangent"][wide])
     np.testing.assert_allclose(drift["series"], drift["series, normalised"], rtol=1e-9)
-    assert data.random.shape == (len(RANDOM_KINDS), len(COMPARED_STAGES), RANDOM_MOTIONS)
-    error = {stage: data.random[:, i] for i, stage in enumerate(COMPARED_STAGES)}
+    assert table.random.shape == (len(RANDOM_KINDS), len(COMPARED_STAGES), RANDOM_MOTIONS)
+    error = {stage: table.random[:, i] for i, stage in enumerate(COMPARED_STAGES)}
     # Of 300 pairs of equal chances, 181 and more would be one in a thousand (binomial).
     better = (error["tangent"] < error["rotation vector"]).sum(axis=-1)
     assert np.all(better[:2] > 181)

@@ -4,14 +4,13 @@ All begin with the same two increments and the same coning correction. What is m
 out by the programs whose operations are counted.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
 import driftlab
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import step_drift
 from driftlab.attitude.integration import integrate
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, whole_number
 from driftlab.core.coning import cone_increments
 from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle
@@ -20,16 +19,17 @@ from .random_motion import random_increments
 
 PAIR = CONING_ALGORITHMS["two-step-4"]
 """The increments and the coning correction that all last stages start from."""
-COMPARED_STAGES = (
-    "third iterate",
-    "tangent",
-    "tangent, dimension 3",
-    "series",
-    "series, normalised",
-    "sine series and root",
-    "rotation vector",
-)
-"""Of `driftlab.symbolic.LAST_STAGES`, those of fourth order."""
+STAGE_LABELS = {
+    "third iterate": "cubic term of γ",
+    "tangent": "tangent, of γ + c",
+    "tangent, dimension 3": "tangent, dimension 3",
+    "series": "series of sine, cosine",
+    "series, normalised": "the same, normalised",
+    "sine series and root": "series of sine, root",
+    "rotation vector": "sine and cosine",
+}
+"""Of `driftlab.symbolic.LAST_STAGES`, those of fourth order, and what figures call them."""
+COMPARED_STAGES = tuple(STAGE_LABELS)
 SAMPLES_A_ROUND = 24
 HALF_ANGLES: FloatArray = np.radians(np.geomspace(1.0, 90.0, 25))
 """Of the cones, rad."""
@@ -47,25 +47,13 @@ FINER = 8
 by the fourth power of this less."""
 
 
-class LastStageErrors(NamedTuple):
-    """Errors and costs, by last stage in the order of `COMPARED_STAGES`."""
-
-    samples_a_round: int  # increments while the cone goes round once
-    half_angles: FloatArray  # (m,), of the cones, rad
-    drifts: FloatArray  # (stage, m), drift in one round of the cone, rad
-    step_angles: FloatArray  # (n,), rad
-    # (stage, n), error of the angle of one such step about a fixed axis, rad
-    fixed_axis: FloatArray
-    stretched: FloatArray  # (stage, n), length of that step's quaternion, less one
-    # (kind, stage, motion), error of the attitude at the end of random motions, by kind as in
-    # `RANDOM_KINDS`, rad
-    random: FloatArray
-    costs: tuple[int, ...]  # operations of a step
+QUANTILES = (0.1, 0.5, 0.9)
+"""Of the errors on random motions, over those of the rotation vector."""
 
 
 def last_stage_errors(
     samples_a_round: int = SAMPLES_A_ROUND, motions: int = RANDOM_MOTIONS, seed: int = 6
-) -> LastStageErrors:
+) -> DataTable:
     """Try the last stages on cones, about a fixed axis and on random motions; count operations."""
     samples = whole_number(samples_a_round, "samples_a_round", least=3)
     count = whole_number(motions, "motions")
@@ -77,16 +65,35 @@ def last_stage_errors(
         step = _step(stage, halves)
         fixed_axis.append(2 * np.arctan2(step[:, 2], step[:, 3]) - STEP_ANGLES)
         stretched.append(np.linalg.norm(step, axis=-1) - 1)
-    return LastStageErrors(
-        samples,
-        HALF_ANGLES,
-        np.array(drifts),
-        STEP_ANGLES,
-        np.array(fixed_axis),
-        np.array(stretched),
-        np.array([_random_errors(rng, turning, count) for turning in RANDOM_KINDS.values()]),
-        tuple(map(_cost, COMPARED_STAGES)),
-    )
+    random = np.array([_random_errors(rng, turning, count) for turning in RANDOM_KINDS.values()])
+    ratios = np.quantile(random[:, :-1] / random[:, -1:], QUANTILES, axis=-1)
+    error = np.abs(fixed_axis)
+    labels = [*STAGE_LABELS.values()]
+    return DataTable(
+        {
+            "half_angle": (HALF_ANGLES, "deg", "of the cones"),
+            "drift": (np.abs(drifts), "arcsec", "size of the drift in one round", labels),
+            "step": (STEP_ANGLES, "rad", "angle of a step about a fixed axis"),
+            "error": (
+                # What is smaller is rounding.
+                np.where(error > 1e-12, error, np.nan), "arcsec", "of the angle of a step", labels,
+            ),
+            "length_less_one": (np.array(stretched), "", "of the step's quaternion", labels),
+            "stage": (labels, "", "last stage"),
+            "ratio": (
+                np.moveaxis(ratios, 0, 1), "",
+                "quantiles of the error after random motions, over that of sine and cosine",
+                [[*RANDOM_KINDS], [f"{100 * part:g} %" for part in QUANTILES]],
+            ),
+            "operations": ([*map(_cost, COMPARED_STAGES)], "", "of a step"),
+        },
+        {
+            "samples_a_round": (samples, "", "samples a round"),
+            "motions": (count, "", "random motions of each kind"),
+            "fixed_axis": (np.array(fixed_axis), "rad", "error of a step, with its sign"),
+            "random": (random, "rad", "errors after random motions, by kind and stage"),
+        },
+    )  # fmt: skip
 
 
 def stage_drift(stage: str, half_angles: FloatArray, samples_a_round: int) -> FloatArray:

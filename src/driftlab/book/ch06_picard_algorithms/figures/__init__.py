@@ -50,15 +50,14 @@ FIGURES = (
             f"{MEASURED_STEPS} steps of each algorithm, lines from a single step."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "06-last-stages",
         experiments.last_stage_errors,
         last_stages.draw,
-        last_stages.columns,
-        lambda data: (
-            f"{len(data.drifts)} ways from the corrected sum of two increments to a quaternion. "
+        lambda table: (
+            f"{len(table.stage)} ways from the corrected sum of two increments to a quaternion. "
             "Drift on "
-            f"a cone that is sampled {data.samples_a_round} times a round; error of one step "
+            f"a cone that is sampled {table.samples_a_round} times a round; error of one step "
             "about a fixed axis, where the rotation vector has none but rounding; error at "
             "the end of random motions about three axes, over that of the rotation vector; and "
             "operations of a step, a sine counted as one."
