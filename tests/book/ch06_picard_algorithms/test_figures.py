@@ -285,7 +285,7 @@ def test_laboratory_gives_each_algorithm_its_own_error_in_any_order() -> None:
 
 @published("06-noise-and-band")
 def test_band_and_floors_are_those_of_the_text(figure: PublishedFigure) -> None:
-    data = figure.data
+    table = figure.data
     often = SAMPLES_A_ROUND > 30
     x = 2 * np.pi / SAMPLES_A_ROUND[often]
     # The first term of the series, Ignagni's; the next is smaller by the square of a step.
@@ -294,20 +294,22 @@ def test_band_and_floors_are_those_of_the_text(figure: PublishedFigure) -> None:
         ("two-step-4", x**4 / 30),
         ("rotation-vector-3", x**6 / 140),
     ):
-        np.testing.assert_allclose(data.missed[name][often], first, rtol=0.06)
+        np.testing.assert_allclose(table.missed[name][often], first, rtol=0.06)
     for i, rate in enumerate(FLOOR_RATES):
-        for name, errors in data.drifted.items():
+        for name, found in table.drift_at_rates.items():
             drift = coning_drift(COMPARED[name], BRACKET.half_angle, BRACKET.frequency, 1 / rate)
-            assert errors[i] == pytest.approx(FLOOR_SECONDS * abs(drift), rel=1e-9)
+            assert found[i] == pytest.approx(abs(drift), rel=1e-9)
     # Of 12 runs with two components each a root mean square is good to a factor of two and a half
     # (a chi-squared of 12 degrees, one in ten thousand on either side).
     low, high = np.sqrt(chi2.ppf([1e-4, 1 - 1e-4], 12) / 12)
-    ratio = data.carried / carried_floor(FLOOR_RATES, QUANTUM)
+    carried = table.rounding_carried
+    ratio = FLOOR_SECONDS * carried / carried_floor(FLOOR_RATES, QUANTUM)
     assert np.all((low < ratio) & (ratio < high)), ratio
-    noise = ANGLE_RANDOM_WALK * np.sqrt(FLOOR_SECONDS)
-    assert np.all(data.carried < 5 * noise)
-    assert np.all(data.carried > noise / 5)
-    assert np.all(data.cut_off[FLOOR_RATES >= 50] > data.drifted["two-step-4"][FLOOR_RATES >= 50])
+    noise = ANGLE_RANDOM_WALK / np.sqrt(FLOOR_SECONDS)
+    assert np.all(carried < 5 * noise)
+    assert np.all(carried > noise / 5)
+    fast = FLOOR_RATES >= 50
+    assert np.all(table.rounding_lost[fast] > table.drift_at_rates["two-step-4"][fast])
 
 
 def test_missed_part_is_the_drift_on_a_narrow_cone() -> None:
@@ -375,28 +377,27 @@ def test_leading_term_is_too_large_where_samples_are_few() -> None:
 
 @published("06-functional-iteration")
 def test_wider_windows_gain_until_few_samples_or_noise_hide_it(figure: PublishedFigure) -> None:
-    data = figure.data
-    drift, noisy = (
-        dict(zip(WINDOW_ALGORITHMS, rows, strict=True)) for rows in (data.drifts, data.noisy)
-    )
-    often = data.samples >= 16
+    table = figure.data
+    drift, noisy = table.drift, table.error
+    assert list(drift) == list(noisy) == list(WINDOW_ALGORITHMS)
+    often = table.samples_a_round >= 16
     for narrow, wide in pairwise(("two-step-4", "window of 4", "window of 8", "window of 12")):
         assert np.all(drift[wide][often] < drift[narrow][often] / 5)
     for name, order in (("two-step-4", 4), ("window of 4", 6), ("window of 8", 10)):
-        slope = -np.polyfit(np.log(data.samples[often]), np.log(drift[name][often]), 1)[0]
+        slope = -np.polyfit(np.log(table.samples_a_round[often]), np.log(drift[name][often]), 1)[0]
         assert slope == pytest.approx(order, abs=0.6)
-    few = data.samples < 3.5
+    few = table.samples_a_round < 3.5
     assert np.isnan(drift["window of 20"][few]).all()
-    assert not np.isnan(data.drifts[:4]).any()
+    assert not np.isnan([drift[name] for name in [*drift][:4]]).any()
     assert np.nanmin(drift["window of 12"][few]) > 1e3 * degree / hour
     # Where noise is all that is left, order is worth nothing, and the widest window harms.
-    noise = data.sizes > 5e-6
+    noise = table.noise > 5e-6
     np.testing.assert_allclose(noisy["window of 8"][noise], noisy["window of 12"][noise], rtol=0.05)
     np.testing.assert_allclose(
         noisy["window of 12"][noise], noisy["rotation-vector-3"][noise], rtol=0.05
     )
     # Root mean square of 48 deviates, of 16 runs and 3 gyros: off by a third in one case of 1000.
-    np.testing.assert_allclose(noisy["window of 12"], data.added_up, rtol=0.33)
+    np.testing.assert_allclose(noisy["window of 12"], table.noise_added_up, rtol=0.33)
     assert np.all(noisy["window of 20"][:-1] > 10 * noisy["window of 12"][:-1])
 
 

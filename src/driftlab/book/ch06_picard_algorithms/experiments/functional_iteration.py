@@ -1,8 +1,7 @@
 """Functional iteration beside the algorithms with cross products: where it gains, where not."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from math import lcm
-from typing import NamedTuple
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -19,6 +18,7 @@ from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import integrate
 from driftlab.attitude.noise_amplification import NoiseGrowth
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.core.functional_iteration import tables
 from driftlab.motion.profiles import Coning
@@ -55,23 +55,6 @@ NOISY_COUNT = 480
 NOISY_RUNS = 16
 
 
-class WindowErrors(NamedTuple):
-    """Errors by algorithm; NaN where one refuses."""
-
-    names: tuple[str, ...]  # the algorithms: those with cross products, then a window of each width
-    cone: Coning
-    rate: float  # sample rate of the noisy runs, Hz
-    noisy_count: int  # increments of a noisy run
-    runs: int  # noisy runs
-    samples: FloatArray  # (m,), samples a round
-    drifts: FloatArray  # (algorithm, m), size of the drift on `cone`, rad/s
-    sizes: FloatArray  # (s,), standard deviations of the noise of an increment, rad
-    # (algorithm, s), error of the attitude after `noisy_count` increments of `cone` with white
-    # noise; root mean square of the runs, rad
-    noisy: FloatArray
-    added_up: FloatArray  # (s,), what the white noise of three gyros adds up to on the average, rad
-
-
 def window_errors(
     algorithms: Algorithms = BESIDE_WINDOWS,
     windows: Sequence[int] = WINDOWS,
@@ -80,8 +63,11 @@ def window_errors(
     sample_rate: float = WIDE_BRACKET_RATE,
     runs: int = NOISY_RUNS,
     seed: int = 6,
-) -> WindowErrors:
-    """Try windows of several widths: with few samples and many, and with noise."""
+) -> DataTable:
+    """Try windows of several widths: with few samples and many, and with noise.
+
+    Numbers are NaN where an algorithm refuses.
+    """
     chosen: dict[str, AnyAlgorithm] = {**named_algorithms(algorithms)}
     chosen |= {f"window of {n}": FunctionalIteration(f"window of {n}", n) for n in windows}
     cone = Coning(
@@ -91,26 +77,38 @@ def window_errors(
     # Whole steps of all, and about as many whatever the windows are.
     whole = lcm(12, *windows)
     count = whole * max(round(NOISY_COUNT / whole), 1)
-    drifts = [
-        [drift_or_refused(one, samples, cone) for samples in WINDOW_SAMPLES_A_ROUND]
-        for one in chosen.values()
-    ]
+    drift = {
+        name: np.array([drift_or_refused(one, each, cone) for each in WINDOW_SAMPLES_A_ROUND])
+        for name, one in chosen.items()
+    }
     rng = np.random.default_rng(seed)
     true = cone.increments(1 / rate, count)
     ends = cone.attitude([0.0, count / rate])
     noise = rng.standard_normal((many, *true.shape))
-    noisy = [_errors(chosen.values(), true + size * noise, *ends) for size in ERROR_SIZES]
-    return WindowErrors(
-        tuple(chosen),
-        cone,
-        rate,
-        count,
-        many,
-        WINDOW_SAMPLES_A_ROUND,
-        np.array(drifts),
-        ERROR_SIZES,
-        np.transpose(noisy),
-        ERROR_SIZES * np.sqrt(3 * count),
+    error = {
+        name: np.array([_error(one, true + size * noise, *ends) for size in ERROR_SIZES])
+        for name, one in chosen.items()
+    }
+    added_up = ERROR_SIZES * np.sqrt(3 * count)
+    return DataTable(
+        {
+            "samples_a_round": (WINDOW_SAMPLES_A_ROUND, "", "increments while the cone goes round"),
+            "drift": (drift, "deg_per_h", "size of the drift on the cone"),
+            "noise": (ERROR_SIZES, "arcsec", "standard deviation of an increment"),
+            "error": (error, "arcsec", "of the attitude after the noisy runs, root mean square"),
+            "noise_added_up": (
+                added_up,
+                "arcsec",
+                "what this adds up to on the average",
+            ),
+        },
+        {
+            "half_angle": (cone.half_angle, "deg", "half angle of the cone"),
+            "frequency": (cone.frequency, "Hz", "frequency of the cone"),
+            "rate": (rate, "Hz", "sample rate of the noisy runs"),
+            "seconds": (count / rate, "s", "duration of a noisy run"),
+            "runs": (many, "", "noisy runs"),
+        },
     )
 
 
@@ -149,20 +147,16 @@ def drift_or_refused(algorithm: AnyAlgorithm, samples: float, cone: Coning = WID
     return abs(float(drift))
 
 
-def _errors(
-    algorithms: Iterable[AnyAlgorithm], increments: FloatArray, start: FloatArray, end: FloatArray
-) -> list[float]:
-    """Root mean squares, over runs, of each algorithm's error at the end, rad; NaN if refused."""
-    errors = []
-    for algorithm in algorithms:
-        try:
-            found = integrate(increments, algorithm, start=start)[..., -1, :]
-        except ValueError:
-            errors.append(float("nan"))
-        else:
-            angles = rotation_angle(multiply(conjugate(end), found))
-            errors.append(float(np.sqrt(np.mean(angles**2))))
-    return errors
+def _error(
+    algorithm: AnyAlgorithm, increments: FloatArray, start: FloatArray, end: FloatArray
+) -> float:
+    """Root mean square, over runs, of an algorithm's error at the end, rad; NaN if refused."""
+    try:
+        found = integrate(increments, algorithm, start=start)[..., -1, :]
+    except ValueError:
+        return float("nan")
+    angles = rotation_angle(multiply(conjugate(end), found))
+    return float(np.sqrt(np.mean(angles**2)))
 
 
 PRECESSION_SECONDS = 1e4

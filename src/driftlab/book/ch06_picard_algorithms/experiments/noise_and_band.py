@@ -1,7 +1,5 @@
 """The other half of the trade: vibration against the sample rate, rounding and noise."""
 
-from typing import NamedTuple
-
 import numpy as np
 from scipy.constants import arcsecond, degree, hour
 from scipy.special import factorial, factorial2
@@ -9,6 +7,7 @@ from scipy.special import factorial, factorial2
 from driftlab.attitude.coning_algorithms import Algorithm, AnyAlgorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.integration import integrate
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import conjugate, multiply, to_rotation_vector
@@ -33,30 +32,6 @@ SHOWN = ("picard-1", "two-step-4", "rotation-vector-3", "four, spread")
 """Of `COMPARED`, the best of one, two, three and four samples."""
 RUNS = 12
 """Runs with other remainders at the start."""
-
-
-class NoiseAndBand(NamedTuple):
-    """Share of the coning that is missed, and errors after some time on a cone, with its floors."""
-
-    cone: Coning
-    quantum: float  # last digit of the gyros, rad
-    angle_random_walk: float  # of the gyros, rad/√s
-    seconds: float  # after which errors are read, s
-    samples: FloatArray  # (m,), in one round of the cone
-    # (m,) each, by algorithm: `missed_part` at so many samples, without sign
-    missed: dict[str, FloatArray]
-    # (m,) each, by algorithm: the first term of the series of the same
-    first_terms: dict[str, FloatArray]
-    rates: FloatArray  # (n,), sample rates, Hz
-    drifted: dict[str, FloatArray]  # (n,) each, by algorithm: error from coning at these rates, rad
-    # (n,), error of `two-step-4` about the axis of the cone if the remainder of rounding is lost,
-    # root mean square of all runs, rad
-    cut_off: FloatArray
-    carried: FloatArray  # (n,), the same if it is carried over to the next increment
-    fine_rates: FloatArray  # (p,), sample rates of the curves, Hz
-    fine_drifted: dict[str, FloatArray]  # (p,) each, as `drifted`
-    expected: FloatArray  # (p,), what `carried` is expected to be, rad
-    white: float  # standard deviation of what white noise adds up to, rad
 
 
 def missed_part(algorithm: Algorithm, samples_a_round: FloatArray) -> FloatArray:
@@ -119,7 +94,7 @@ def noise_and_band(
     seconds: float = FLOOR_SECONDS,
     runs: int = RUNS,
     seed: int = 6,
-) -> NoiseAndBand:
+) -> DataTable:
     """Compute the share of the coning that each algorithm misses, and the floors under it."""
     cone = Coning(
         positive_number(half_angle, "half_angle"), positive_number(frequency, "frequency")
@@ -128,37 +103,50 @@ def noise_and_band(
     walk = positive_number(angle_random_walk, "angle_random_walk")
     count = whole_number(runs, "runs")
     shown = {name: COMPARED[name] for name in SHOWN}
+    x, missed = 2 * np.pi / SAMPLES_A_ROUND, {}
+    for name, one in shown.items():
+        missed[name] = np.abs(missed_part(one, SAMPLES_A_ROUND))
+        missed[f"{name}, first term"] = first_term(one.samples, x)
 
-    def drifted(rates: FloatArray) -> dict[str, FloatArray]:
+    def drift(rates: FloatArray) -> dict[str, FloatArray]:
         return {
-            name: time * np.abs(coning_drift(one, cone.half_angle, cone.frequency, 1 / rates))
+            name: np.abs(coning_drift(one, cone.half_angle, cone.frequency, 1 / rates))
             for name, one in shown.items()
         }
 
-    def floor(rate: float, carry: bool) -> float:
-        errors = rounding_error(
-            "two-step-4", rate, carry=carry, cone=cone, quantum=digit, seconds=time,
-            runs=count if carry else 1, seed=seed,
-        )  # fmt: skip
-        return float(np.sqrt(np.mean(errors**2)))
+    def rounding(carry: bool) -> FloatArray:
+        """Root mean square of all runs as a drift, by sample rate, rad/s."""
+        errors = [
+            rounding_error(
+                "two-step-4", rate, carry=carry, cone=cone, quantum=digit, seconds=time,
+                runs=count if carry else 1, seed=seed,
+            )
+            for rate in FLOOR_RATES
+        ]  # fmt: skip
+        return np.sqrt(np.mean(np.square(errors), axis=-1)) / time
 
-    x = 2 * np.pi / SAMPLES_A_ROUND
-    return NoiseAndBand(
-        cone,
-        digit,
-        walk,
-        time,
-        SAMPLES_A_ROUND,
-        {name: np.abs(missed_part(one, SAMPLES_A_ROUND)) for name, one in shown.items()},
-        {name: first_term(one.samples, x) for name, one in shown.items()},
-        FLOOR_RATES,
-        drifted(FLOOR_RATES),
-        np.array([floor(rate, False) for rate in FLOOR_RATES]),
-        np.array([floor(rate, True) for rate in FLOOR_RATES]),
-        FINE_RATES,
-        drifted(FINE_RATES),
-        carried_floor(FINE_RATES, digit, cone, time),
-        walk * np.sqrt(time),
+    expected = carried_floor(FINE_RATES, digit, cone, time) / time
+    white = np.full(len(FINE_RATES), walk / np.sqrt(time))
+    return DataTable(
+        {
+            "samples_a_round": (SAMPLES_A_ROUND, "", "samples in one round of a narrow cone"),
+            "missed": (missed, "", "part of its coning, and the first term of the series"),
+            "rate": (FLOOR_RATES, "Hz", "sample rate"),
+            "rounding_lost": (rounding(False), "deg_per_h", "if the remainder is lost"),
+            "rounding_carried": (rounding(True), "deg_per_h", "if it is carried over"),
+            "curve_rate": (FINE_RATES, "Hz", "sample rate of the curves"),
+            "rounding_carried_expected": (expected, "deg_per_h", "by the closed formula"),
+            "white_noise": (white, "deg_per_h", "one standard deviation"),
+            "drift": (drift(FINE_RATES), "deg_per_h", "size of the drift on the cone"),
+        },
+        {
+            "half_angle": (cone.half_angle, "deg", "half angle of the cone"),
+            "frequency": (cone.frequency, "Hz", "frequency of the cone"),
+            "quantum": (digit, "arcsec", "last digit of the gyros"),
+            "angle_random_walk": (walk, "deg_per_sqrt_h", "angle random walk of the gyros"),
+            "seconds": (time, "s", "time after which errors are read"),
+            "drift_at_rates": (drift(FLOOR_RATES), "deg_per_h", "at the rates of the marks"),
+        },
     )
 
 

@@ -1,7 +1,6 @@
 """The published figures of chapter 06, with their captions."""
 
 import numpy as np
-from scipy.constants import arcsecond, degree, hour
 
 from driftlab.attitude.measured_drift import MEASURED_STEPS
 from driftlab.book.machinery.publish import FigureDefinition, table_figure
@@ -63,35 +62,34 @@ FIGURES = (
             "operations of a step, a sine counted as one."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "06-noise-and-band",
         experiments.noise_and_band,
         noise_and_band.draw,
-        noise_and_band.columns,
-        lambda data: (
+        lambda table: (
             "First the part of a narrow cone's coning that an algorithm misses. Thin lines are the "
             "first terms of the series, too large where samples are few. Then the drift on a cone "
-            f"of {np.degrees(data.cone.half_angle):g}° at {data.cone.frequency:g} Hz in "
-            f"{data.seconds:g} s, and the floors under it: gyros that round to "
-            f"{data.quantum / arcsecond:g} arc second, and white noise of "
-            f"{data.angle_random_walk * np.sqrt(hour) / degree:g}°/√h. As published, for the "
+            f"of {table.words('half_angle', 'g')} at {table.words('frequency', 'g')} in "
+            f"{table.words('seconds', 'g')}, and the floors under it: gyros that round to "
+            f"{table.shown('quantum'):g} arc second, and white noise of "
+            f"{table.words('angle_random_walk', 'g')}. As published, for the "
             "bracket, a remainder that is lost spoils what the corrections gain; one that is "
             "carried costs about as much as the noise."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "06-functional-iteration",
         experiments.window_errors,
         functional_iteration.draw,
-        functional_iteration.columns,
-        lambda data: (
+        lambda table: (
             "Functional iteration with windows of several widths, beside algorithms with cross "
-            f"products, on a cone of {np.degrees(data.cone.half_angle):g}° at "
-            f"{data.cone.frequency:g} Hz. First the drift, by samples a round: where a window's "
-            "points are missing, its iterations do not settle and the package refuses. Then the "
-            f"error after {data.noisy_count / data.rate:g} s at {data.rate:g} Hz, root mean square "
-            f"of {data.runs} runs, if every increment has noise. As published, for windows of "
-            f"{experiments.WINDOWS[0]} to {experiments.WINDOWS[-1]} increments on a cone of "
+            f"products, on a cone of {table.words('half_angle', 'g')} at "
+            f"{table.words('frequency', 'g')}. First the drift, by samples a round: where a "
+            "window's points are missing, its iterations do not settle and the package refuses. "
+            f"Then the error after {table.words('seconds', 'g')} at {table.words('rate', 'g')}, "
+            f"root mean square of {table.runs} runs, if every increment has noise. As published, "
+            f"for windows of {experiments.WINDOWS[0]} to {experiments.WINDOWS[-1]} increments on a "
+            "cone of "
             f"{np.degrees(experiments.WIDE_BRACKET.half_angle):g}°: with many samples a round the "
             "wider window errs less, below some five it does not; the widest is down to rounding, "
             "magnified; noise hides what the wider windows gain, and the widest magnifies it."
