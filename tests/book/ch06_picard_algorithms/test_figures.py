@@ -28,6 +28,7 @@ from driftlab.book.ch06_picard_algorithms.experiments import (
     RANDOM_MOTIONS,
     SAMPLE_RATES,
     SAMPLES_A_ROUND,
+    STEP_ANGLES,
     STORED_AS_ONE,
     WINDOW_ALGORITHMS,
     WORD_MOTIONS,
@@ -40,6 +41,7 @@ from driftlab.book.ch06_picard_algorithms.experiments import (
     precession_error,
     precession_error_of_peer,
     rounded,
+    rows_of,
     short_word_errors,
     stage_drift,
     turned_by_fit,
@@ -215,14 +217,17 @@ def test_short_word_gains_from_the_advice_where_the_scalar_part_is_not_one(
     Below the line the advice and small terms first gave means of 0.97 to 1.14, above it in fused
     arithmetic 0.91 to 1.5, and otherwise 1.8 to 27 in favour of the advice.
     """
-    data = figure.data
-    assert data.errors.shape[:3] == (len(ARITHMETICS), len(WORD_MOTIONS), len(UPDATES))
-    complement, compensated = data.errors[:, :, 2], data.errors[:, :, 3]
+    table = figure.data
+    runs = len(ARITHMETICS) * len(WORD_MOTIONS) * len(UPDATES)
+    assert len(table.error) == len(table.step) == runs * len(STEP_ANGLES)
+    complement, compensated = (
+        table.error[rows_of(table, update=update)] for update in ("complement", "compensated")
+    )
     assert np.all(compensated < complement)
     for name, arithmetic in ARITHMETICS.items():
         for motion in WORD_MOTIONS:
             below, above = (
-                advice_gain(data, name, motion, "small terms first", above=side)
+                advice_gain(table, name, motion, "small terms first", above=side)
                 for side in (False, True)
             )
             assert below.least <= below.mean <= below.most
@@ -232,17 +237,24 @@ def test_short_word_gains_from_the_advice_where_the_scalar_part_is_not_one(
             elif not arithmetic.normalise:
                 assert 0.77 < above.mean < 1.3
             for side in (False, True):
-                assert advice_gain(data, name, motion, "product", above=side).mean > 1.2
+                assert advice_gain(table, name, motion, "product", above=side).mean > 1.2
     # The figure is read from its CSV, so one motion is computed anew.
     anew = short_word_errors(motions=["steady turn"])
-    j = list(WORD_MOTIONS).index("steady turn")
-    np.testing.assert_allclose(anew.angles[0], data.angles[j], rtol=1e-11)
-    np.testing.assert_allclose(anew.errors[:, 0], data.errors[:, j], rtol=1e-3, atol=1e-15)
-    np.testing.assert_allclose(anew.stretched[0], data.stretched[j], rtol=1e-3, atol=1e-15)
+    rows = rows_of(table, motion="steady turn")
+    np.testing.assert_allclose(anew.step, table.step[rows], rtol=1e-11)
+    np.testing.assert_allclose(anew.error, table.error[rows], rtol=1e-3, atol=1e-15)
+    plain = rows_of(anew, arithmetic="rounded")
+    lengths = table.length_error[rows[plain]]
+    np.testing.assert_allclose(anew.length_error[plain], lengths, rtol=1e-3, atol=1e-15)
     # The length stays with 1 - l0, where it differs from 1.
-    for j in range(len(WORD_MOTIONS)):
-        differs = data.angles[j] > STORED_AS_ONE
-        product, small_first, kept, _ = data.stretched[j][:, differs].max(axis=-1)
+    for motion in WORD_MOTIONS:
+        product, small_first, kept, _ = (
+            table.length_error[own[table.step[own] > STORED_AS_ONE]].max()
+            for own in (
+                rows_of(table, motion=motion, arithmetic="rounded", update=update)
+                for update in UPDATES
+            )
+        )
         assert kept < min(product, small_first) / 2
 
 

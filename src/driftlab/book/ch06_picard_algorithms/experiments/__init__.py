@@ -69,8 +69,8 @@ from .word_length import (
     WORD_MOTIONS,
     WORD_STARTS,
     WORD_STEPS,
-    ShortWord,
     advice_gain,
+    rows_of,
     short_word_errors,
 )
 
@@ -112,7 +112,6 @@ __all__ = [
     "WORD_STEPS",
     "ClosedCone",
     "Sculling",
-    "ShortWord",
     "advice_gain",
     "algorithm_errors",
     "algorithm_orders",
@@ -131,6 +130,7 @@ __all__ = [
     "precession_error_of_peer",
     "random_algorithm",
     "rounded",
+    "rows_of",
     "sculling_error",
     "short_word_errors",
     "square_of_turns",

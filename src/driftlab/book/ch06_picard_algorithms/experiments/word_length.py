@@ -1,14 +1,17 @@
 """What a word of 32 bits does to an attitude of many steps, on four motions."""
 
 from collections.abc import Mapping, Sequence
+from itertools import product
 from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.constants import day
 
 from driftlab.attitude.finite_precision import UPDATES, Update, integrate_in_word
 from driftlab.attitude.integration import integrate
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, whole_number
 from driftlab.motion.profiles import Motion
 from driftlab.quaternion import conjugate, multiply, rotation_angle
@@ -61,21 +64,6 @@ WORD_STARTS = 24
 """Attitudes at the start, over which the errors are averaged."""
 
 
-class ShortWord(NamedTuple):
-    """Errors of attitude by arithmetic in float32."""
-
-    motions: tuple[str, ...]  # of `WORD_MOTIONS`
-    angles: FloatArray  # (motion, m), angle of a step, rms over the run, rad
-    # (arithmetic, motion, update, m), error of the attitude after all steps, its length divided
-    # out, rms over the starts, rad; in the orders of `ARITHMETICS`, `motions` and `UPDATES`
-    errors: FloatArray
-    # (motion, update, m), relative error of the quaternion's length if it is not normalised, rms
-    # over the starts
-    stretched: FloatArray
-    steps: int = WORD_STEPS  # of a run
-    starts: int = WORD_STARTS  # attitudes at the start
-
-
 class Gain(NamedTuple):
     """How many times smaller the error is with 1 - l0, over a range of step angles."""
 
@@ -84,14 +72,22 @@ class Gain(NamedTuple):
     most: float
 
 
+def rows_of(table: DataTable, **words: str) -> NDArray[np.intp]:
+    """Rows (n,) of the table of `short_word_errors` in which columns have these words."""
+    there = [np.asarray(getattr(table, name)) == word for name, word in words.items()]
+    return np.flatnonzero(np.all(there, axis=0))
+
+
 def advice_gain(
-    data: ShortWord, arithmetic: str, motion: str, other: Update, *, above: bool
+    table: DataTable, arithmetic: str, motion: str, other: Update, *, above: bool
 ) -> Gain:
     """Compare the update with 1 - l0 with another one, at steps above or below `STORED_AS_ONE`."""
-    i, j = list(ARITHMETICS).index(arithmetic), data.motions.index(motion)
-    errors = data.errors[i, j]
-    gains = errors[UPDATES.index(other)] / errors[UPDATES.index("complement")]
-    chosen = gains[(data.angles[j] > STORED_AS_ONE) == above]
+    rows, advised = (
+        rows_of(table, arithmetic=arithmetic, motion=motion, update=update)
+        for update in (other, "complement")
+    )
+    gains = table.error[rows] / table.error[advised]
+    chosen = gains[(table.step[rows] > STORED_AS_ONE) == above]
     mean = float(np.exp(np.log(chosen).mean()))
     return Gain(mean, float(chosen.min()), float(chosen.max()))
 
@@ -101,7 +97,7 @@ def short_word_errors(
     steps: int = WORD_STEPS,
     starts: int = WORD_STARTS,
     seed: int = 2014,
-) -> ShortWord:
+) -> DataTable:
     """Integrate motions at many sample rates, in 32 bits and in 64."""
     for name in motions:
         if name not in WORD_MOTIONS:
@@ -112,9 +108,8 @@ def short_word_errors(
     begin /= np.linalg.norm(begin, axis=-1, keepdims=True)
     # Attitudes that the word can hold, so that what is measured is the arithmetic alone.
     begin = begin.astype(np.float32).astype(np.float64)
-    shape = (len(motions), len(UPDATES), len(STEP_ANGLES))
-    angles = np.empty((len(motions), len(STEP_ANGLES)))
-    errors, stretched = np.empty((len(ARITHMETICS), *shape)), np.empty(shape)
+    shape = (len(motions), len(ARITHMETICS), len(UPDATES), len(STEP_ANGLES))
+    angles, errors, lengths = np.empty(shape), np.empty(shape), np.full(shape, np.nan)
     for j, name in enumerate(motions):
         # The same holds for the increments.
         runs = np.stack(
@@ -131,12 +126,34 @@ def short_word_errors(
                 ]
                 # Its angle does not depend on the length of the quaternion.
                 wrong = rotation_angle(multiply(conjugate(true), end.astype(np.float64)))
-                errors[i, j, u] = np.sqrt(np.mean(wrong**2, axis=-1))
+                errors[j, i, u] = np.sqrt(np.mean(wrong**2, axis=-1))
                 if not arithmetic.fused and not arithmetic.normalise:
                     length = np.linalg.norm(end.astype(np.float64), axis=-1)
                     change = length / np.linalg.norm(begin, axis=-1) - 1
-                    stretched[j, u] = np.sqrt(np.mean(change**2, axis=-1))
-    return ShortWord(tuple(motions), angles, errors, stretched, count, many)
+                    lengths[j, i, u] = np.sqrt(np.mean(change**2, axis=-1))
+    words = [each for each in product(motions, ARITHMETICS, UPDATES) for _ in STEP_ANGLES]
+    of_motion, of_arithmetic, of_update = map(list, zip(*words, strict=True))
+    # No error has no place on a logarithmic axis.
+    shown = np.where(errors > 0, errors, np.nan)
+    return DataTable(
+        {
+            "motion": (of_motion,),
+            "arithmetic": (of_arithmetic, "", "how products are added, and the length mended"),
+            "update": (of_update, "", "how the attitude is advanced"),
+            "step": (angles.ravel(), "rad", "angle of a step, rms over the run"),
+            "error": (shown.ravel(), "arcsec", "of the attitude at the end, rms over the starts"),
+            "length_error": (
+                lengths.ravel(), "", "of the quaternion, relative, if it is not normalised"
+            ),
+            "stored_as_one": (
+                np.array([STORED_AS_ONE]), "rad", "below this λ0 is 1 in a word of 32 bits"
+            ),
+        },
+        {
+            "steps": (count, "", "steps of a run"),
+            "starts": (many, "", "attitudes at the start"),
+        },
+    )  # fmt: skip
 
 
 def _increments(name: str, step_angle: float, steps: int, starts: int, seed: int) -> FloatArray:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from driftlab.attitude.measured_drift import MEASURED_STEPS
-from driftlab.book.machinery.publish import FigureDefinition, table_figure
+from driftlab.book.machinery.publish import table_figure
 
 from .. import experiments
 from . import (
@@ -95,18 +95,17 @@ FIGURES = (
             "magnified; noise hides what the wider windows gain, and the widest magnifies it."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "06-short-word",
         experiments.short_word_errors,
         short_word.draw,
-        short_word.columns,
-        lambda data: (
+        lambda table: (
             "Arithmetic in 32 bits: error of the attitude after "
-            f"{data.steps} steps, its length divided out, by the angle of a step. "
+            f"{table.steps} steps, its length divided out, by the angle of a step. "
             "Where each product is rounded, 1 - λ0 errs several times less than the two updates "
             "with λ0 as soon as λ0 differs from 1 in the word, right of the dotted line. A "
-            f"compensated sum errs least. Root mean square of {data.starts} attitudes."
+            f"compensated sum errs least. Root mean square of {table.starts} attitudes."
         ),
-        short_word.restore,
+        kept=True,
     ),
 )
