@@ -1,11 +1,8 @@
 """Closed cones of any shape: the solid angle that an axis goes round, and what its gyro sums up."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from driftlab.attitude.spherical_area import solid_angle
-from driftlab.checks import FloatArray
 from driftlab.core.coning import cone_increments
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotate
 
@@ -13,18 +10,12 @@ CORNERS = 4096
 """Points on a closed cone; with so many the great circles between them leave 1e-6 of the area."""
 
 
-class ClosedCone(NamedTuple):
-    """One round of a body whose third axis describes a closed cone."""
+def closed_cone(first: float, second: float, loops: int = 1) -> tuple[float, float]:
+    """Take a body round a cone that is not round, and back: what its gyro sums up, and the area.
 
-    axis: FloatArray  # (n, 3), the third body axis in reference axes, all along the round
-    summed: float  # integral of the rate about that axis, rad: what the gyro along it sums up
-    solid_angle: float  # inside the cone, positive to the left of the way
-
-
-def closed_cone(first: float, second: float, loops: int = 1) -> ClosedCone:
-    """Take a body round a cone that is not round, and back.
-
-    Its rotation vector runs round an ellipse in the plane of the first two axes or, with several
+    The first is the integral of the rate about the third body axis, which goes round the cone, rad;
+    the second is the solid angle inside the cone, positive to the left of the way. The rotation
+    vector of the body runs round an ellipse in the plane of the first two axes or, with several
     loops about the second axis in one about the first, a Lissajous figure.
     """
     phase = 2 * np.pi * np.arange(CORNERS) / CORNERS
@@ -35,7 +26,7 @@ def closed_cone(first: float, second: float, loops: int = 1) -> ClosedCone:
     derivative = np.fft.ifft(1j * turns * np.fft.fft(attitude, axis=0), axis=0).real
     rate = 2 * multiply(conjugate(attitude), derivative)[..., :3]
     axis = rotate(attitude, np.array([0.0, 0.0, 1.0]))
-    return ClosedCone(axis, float(2 * np.pi * rate[:, 2].mean()), float(solid_angle(axis)))
+    return float(2 * np.pi * rate[:, 2].mean()), float(solid_angle(axis))
 
 
 def swept_in_a_sample(half_angle: float, sample_angle: float) -> tuple[float, float]:

@@ -8,10 +8,8 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
 from driftlab.attitude.coning_algorithms import (
-    CONING_ALGORITHMS,
     Algorithms,
     AnyAlgorithm,
-    AttitudeAlgorithm,
     named_algorithms,
 )
 from driftlab.attitude.drift_on_cones import coning_drift
@@ -41,11 +39,6 @@ WINDOWS = (4, 8, 12, 20)
 """Increments in a window."""
 BESIDE_WINDOWS = ("two-step-4", "rotation-vector-3")
 """Algorithms with cross products that stand beside them."""
-WINDOW_ALGORITHMS: dict[str, AttitudeAlgorithm] = {
-    **{name: CONING_ALGORITHMS[name] for name in BESIDE_WINDOWS},
-    **{f"window of {n}": FunctionalIteration(f"window of {n}", n) for n in WINDOWS},
-}
-"""What is compared."""
 WINDOW_SAMPLES_A_ROUND: FloatArray = np.geomspace(2.5, 40.0, 37)
 """Increments while the cone goes round once; not whole numbers all of them."""
 ERROR_SIZES: FloatArray = np.geomspace(1e-8, 1e-3, 6)
