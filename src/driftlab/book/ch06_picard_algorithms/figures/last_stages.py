@@ -2,7 +2,6 @@
 
 from typing import Any
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
@@ -63,7 +62,7 @@ def _draw_ratios(panel: Axes, drawing: Drawing) -> list[Line2D]:
     others, colours = [*STYLES][:-1], COLOURS[:-1]
     handles: list[Line2D] = []
     for j, (mark, kind) in enumerate(zip("oDs", RANDOM_KINDS, strict=True)):
-        places = np.arange(len(others)) + 0.25 * (j - 1)
+        places = [i + 0.25 * (j - 1) for i in range(len(others))]
         low, middle, high = (f"ratio, {kind}, {part} %" for part in (10, 50, 90))
         bars = panel.hlines(places, table.shown(low), table.shown(high), colors=colours, zorder=2,
                             label=f"{kind}, 10 to 90 %")  # fmt: skip
