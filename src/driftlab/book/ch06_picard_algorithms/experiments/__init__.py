@@ -65,7 +65,7 @@ from .word_length import (
     STEP_ANGLES as STEP_ANGLES,
     STORED_AS_ONE as STORED_AS_ONE,
     WORD_MOTIONS as WORD_MOTIONS,
-    advice_gain as advice_gain,
+    advice_gains as advice_gains,
     rows_of as rows_of,
     short_word_errors as short_word_errors,
 )

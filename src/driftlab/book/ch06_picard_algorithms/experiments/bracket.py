@@ -49,6 +49,8 @@ def bracket_run(
         missed.append(known[moments // (in_a_sample * length)])
     times = moments / (in_a_sample * rate)
     slivers = (area.circle_area - area.polygon_area) * np.sin(motion.half_angle) ** 2
+    places = moments * (FINE // in_a_sample) % (samples * FINE)
+    missed_part = 1 - area.polygon_area / area.circle_area
     return DataTable(
         {
             "time": (times, "s", "since the start"),
@@ -61,18 +63,13 @@ def bracket_run(
             "in_a_sample": (in_a_sample, "", "moments in a sample"),
             "circle": (area.circle.T / area.radius, "", "integral of the rate, over its radius"),
             "corners": (area.corners.T / area.radius, "", "the same, summed from increments"),
-            "places": (
-                moments * (FINE // in_a_sample) % (samples * FINE), "",
-                "where on the circle the run is at each moment",
-            ),
+            "places": (places, "", "where on the circle the run is at each moment"),
             "drift_sums_only": (missed[0][-1] / times[-1], "deg_per_h", "drift, sums only"),
             "drift_with_pairs": (missed[1][-1] / times[-1], "deg_per_h", "drift, with pairs"),
             "samples": (samples, "", "samples in a round"),
-            "missed_part": (
-                1 - area.polygon_area / area.circle_area, "percent", "missed part of the circle"
-            ),
+            "missed_part": (missed_part, "percent", "missed part of the circle"),
         },
-    )  # fmt: skip
+    )
 
 
 def square_of_turns(first: float, second: float, samples: int = 75) -> DataTable:

@@ -51,11 +51,11 @@ def coning_area(samples: int = 8, half_angle: float = DRAWN_HALF_ANGLE) -> DataT
     motion = Coning(half_angle, 1.0)
     fine = 24 * samples
     increments = motion.increments(1 / samples, samples)[:, :2]
-    radius = float(np.sin(half_angle))
-    corners = _path(increments)
+    radius, corners = float(np.sin(half_angle)), _path(increments)
     # The chords of pairs make a polygon of half as many corners.
     pairs = increments[0::2] + increments[1::2]
     segments = (2 / 3) * _cross(increments[0::2], increments[1::2]).sum()
+    paired = float(_area(_path(pairs)) + segments) / radius**2
     third = Rotation.from_quat(motion.attitude(np.arange(fine + 1) / fine)).apply([0, 0, 1])
     circle = _path(motion.increments(1 / fine, fine)[:, :2])
     return DataTable(
@@ -70,12 +70,9 @@ def coning_area(samples: int = 8, half_angle: float = DRAWN_HALF_ANGLE) -> DataT
             # In units of the square of the radius.
             "circle_area": (float(np.pi), "", "area of the circle over its radius squared"),
             "polygon_area": (_area(corners) / radius**2, "", "area of the polygon, likewise"),
-            "paired_area": (
-                float(_area(_path(pairs)) + segments) / radius**2, "",
-                "area if two thirds of γ1 × γ2 are added for each pair, likewise",
-            ),
+            "paired_area": (paired, "", "area with two thirds of γ1 × γ2 for each pair, likewise"),
         },
-    )  # fmt: skip
+    )
 
 
 def _path(increments: FloatArray) -> FloatArray:
@@ -99,23 +96,17 @@ def drift_by_frequency_and_rate(
     """Compute the drift of algorithms over coning frequencies and over sample rates."""
     chosen = named_algorithms(algorithms)
     angle = positive_number(half_angle, "half_angle")
-    cone, rate = (
-        positive_number(frequency, "frequency"),
-        positive_number(sample_rate, "sample_rate"),
-    )
+    cone = positive_number(frequency, "frequency")
+    rate = positive_number(sample_rate, "sample_rate")
 
     def sizes(drift: _Drift, frequencies: FloatArray, rates: FloatArray) -> dict[str, FloatArray]:
-        ways: dict[str, tuple[ArrayLike, ArrayLike]] = {
-            "by frequency": (frequencies, rate),
-            "by rate": (cone, rates),
-        }
-        found = {
-            f"{name}, {way}": _where_it_works(drift, one, angle, *where)
-            for name, one in chosen.items()
-            for way, where in ways.items()
-        }
-        # No drift at all has no place on a logarithmic axis.
-        return {title: np.where(size > 0, size, np.nan) for title, size in found.items()}
+        found = {}
+        for name, one in chosen.items():
+            for way, where in (("by frequency", (frequencies, rate)), ("by rate", (cone, rates))):
+                size = _where_it_works(drift, one, angle, *where)
+                # No drift at all has no place on a logarithmic axis.
+                found[f"{name}, {way}"] = np.where(size > 0, size, np.nan)
+        return found
 
     measured = sizes(measured_coning_drift, DRIFT_FREQUENCIES, DRIFT_SAMPLE_RATES)
     formula = sizes(coning_drift, FINE_FREQUENCIES, FINE_SAMPLE_RATES)

@@ -45,8 +45,6 @@ RANDOM_RATE, RANDOM_SECONDS = 24, 4
 FINER = 8
 """By how much more often the increments are read from which the true attitude is computed; it errs
 by the fourth power of this less."""
-
-
 QUANTILES = (0.1, 0.5, 0.9)
 """Of the errors on random motions, over those of the rotation vector."""
 
@@ -66,25 +64,19 @@ def last_stage_errors(
         fixed_axis.append(2 * np.arctan2(step[:, 2], step[:, 3]) - STEP_ANGLES)
         stretched.append(np.linalg.norm(step, axis=-1) - 1)
     random = np.array([_random_errors(rng, turning, count) for turning in RANDOM_KINDS.values()])
-    ratios = np.quantile(random[:, :-1] / random[:, -1:], QUANTILES, axis=-1)
-    error = np.abs(fixed_axis)
-    labels = [*STAGE_LABELS.values()]
+    ratios = np.quantile(random[:, :-1] / random[:, -1:], QUANTILES, axis=-1).swapaxes(0, 1)
+    quantiles = [[*RANDOM_KINDS], [f"{100 * part:g} %" for part in QUANTILES]]
+    error, labels = np.abs(fixed_axis), [*STAGE_LABELS.values()]
+    shown = np.where(error > 1e-12, error, np.nan)  # what is smaller is rounding
     return DataTable(
         {
             "half_angle": (HALF_ANGLES, "deg", "of the cones"),
             "drift": (np.abs(drifts), "arcsec", "size of the drift in one round", labels),
             "step": (STEP_ANGLES, "rad", "angle of a step about a fixed axis"),
-            "error": (
-                # What is smaller is rounding.
-                np.where(error > 1e-12, error, np.nan), "arcsec", "of the angle of a step", labels,
-            ),
+            "error": (shown, "arcsec", "of the angle of a step", labels),
             "length_less_one": (np.array(stretched), "", "of the step's quaternion", labels),
             "stage": (labels, "", "last stage"),
-            "ratio": (
-                np.moveaxis(ratios, 0, 1), "",
-                "quantiles of the error after random motions, over that of sine and cosine",
-                [[*RANDOM_KINDS], [f"{100 * part:g} %" for part in QUANTILES]],
-            ),
+            "ratio": (ratios, "", "quantiles of random errors, over sine and cosine", quantiles),
             "operations": ([*map(_cost, COMPARED_STAGES)], "", "of a step"),
         },
         {
@@ -93,7 +85,7 @@ def last_stage_errors(
             "fixed_axis": (np.array(fixed_axis), "rad", "error of a step, with its sign"),
             "random": (random, "rad", "errors after random motions, by kind and stage"),
         },
-    )  # fmt: skip
+    )
 
 
 def stage_drift(stage: str, half_angles: FloatArray, samples_a_round: int) -> FloatArray:

@@ -1,8 +1,7 @@
 """What a word of 32 bits does to an attitude of many steps, on four motions."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import product
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -24,14 +23,12 @@ EARTH_RATE = 2 * np.pi / (day * 365.2422 / 366.2422)
 """Rate of the Earth against the stars, rad/s: one turn more in a year than there are days."""
 AXIS = np.array([0.6, 0.0, 0.8])
 """Of the steady turn, in the body."""
-WORD_MOTIONS: Mapping[str, Motion | None] = MappingProxyType(
-    {
-        "cone of 1°, 5 Hz": BRACKET,
-        "ship, roll 30°, 0.5 Hz": SHIP,
-        "steady turn": None,
-        "random motion": None,
-    }
-)
+WORD_MOTIONS: dict[str, Motion | None] = {
+    "cone of 1°, 5 Hz": BRACKET,
+    "ship, roll 30°, 0.5 Hz": SHIP,
+    "steady turn": None,
+    "random motion": None,
+}
 """Motions by name. The last two are no `Motion`: equal steps about `AXIS`, and a random motion for
 each attitude at the start."""
 
@@ -43,33 +40,19 @@ class Arithmetic(NamedTuple):
     normalise: bool
 
 
-ARITHMETICS: Mapping[str, Arithmetic] = MappingProxyType(
-    {
-        "rounded": Arithmetic(fused=False, normalise=False),
-        "rounded, normalised": Arithmetic(fused=False, normalise=True),
-        "fused": Arithmetic(fused=True, normalise=False),
-        "fused, normalised": Arithmetic(fused=True, normalise=True),
-    }
-)
+ARITHMETICS = {
+    "rounded": Arithmetic(fused=False, normalise=False),
+    "rounded, normalised": Arithmetic(fused=False, normalise=True),
+    "fused": Arithmetic(fused=True, normalise=False),
+    "fused, normalised": Arithmetic(fused=True, normalise=True),
+}
 """Kinds of arithmetic by name: each product and each sum rounded, or fused multiply-add; the length
 mended after each step, or not."""
-WORD_STEPS = 1000
-"""Steps after which the attitude is compared."""
 STEP_ANGLES: FloatArray = np.geomspace(1e-6, 1e-2, 17)
 """Wanted angles of a step, rms over the run, rad."""
 STORED_AS_ONE = float(np.sqrt(8 * np.finfo(np.float32).epsneg / 2))
 """Angle of a step, in rad, below which a word of 32 bits stores the scalar part cos(angle/2) as 1:
 where angle²/8 is half of its last digit."""
-WORD_STARTS = 24
-"""Attitudes at the start, over which the errors are averaged."""
-
-
-class Gain(NamedTuple):
-    """How many times smaller the error is with 1 - l0, over a range of step angles."""
-
-    mean: float  # geometric mean
-    least: float
-    most: float
 
 
 def rows_of(table: DataTable, **words: str) -> NDArray[np.intp]:
@@ -78,27 +61,31 @@ def rows_of(table: DataTable, **words: str) -> NDArray[np.intp]:
     return np.flatnonzero(np.all(there, axis=0))
 
 
-def advice_gain(
+def advice_gains(
     table: DataTable, arithmetic: str, motion: str, other: Update, *, above: bool
-) -> Gain:
-    """Compare the update with 1 - l0 with another one, at steps above or below `STORED_AS_ONE`."""
+) -> FloatArray:
+    """How many times smaller the error is with 1 - l0 than with another update.
+
+    At each step that is above `STORED_AS_ONE`, or below it.
+    """
     rows, advised = (
         rows_of(table, arithmetic=arithmetic, motion=motion, update=update)
         for update in (other, "complement")
     )
-    gains = table.error[rows] / table.error[advised]
-    chosen = gains[(table.step[rows] > STORED_AS_ONE) == above]
-    mean = float(np.exp(np.log(chosen).mean()))
-    return Gain(mean, float(chosen.min()), float(chosen.max()))
+    chosen = (table.step[rows] > STORED_AS_ONE) == above
+    return (table.error[rows] / table.error[advised])[chosen]
 
 
 def short_word_errors(
     motions: Sequence[str] = tuple(WORD_MOTIONS),
-    steps: int = WORD_STEPS,
-    starts: int = WORD_STARTS,
+    steps: int = 1000,
+    starts: int = 24,
     seed: int = 2014,
 ) -> DataTable:
-    """Integrate motions at many sample rates, in 32 bits and in 64."""
+    """Integrate motions at many sample rates, in 32 bits and in 64.
+
+    The attitude is compared after so many steps; errors are averaged over attitudes at the start.
+    """
     for name in motions:
         if name not in WORD_MOTIONS:
             raise ValueError(f"motions: expected some of {', '.join(WORD_MOTIONS)}, got {name!r}.")
@@ -121,9 +108,8 @@ def short_word_errors(
         true = integrate(runs, start=begin)[..., -1, :]
         for i, arithmetic in enumerate(ARITHMETICS.values()):
             for u, update in enumerate(UPDATES):
-                end = integrate_in_word(runs, start=begin, update=update, **arithmetic._asdict())[
-                    ..., -1, :
-                ]
+                kind = arithmetic._asdict()
+                end = integrate_in_word(runs, start=begin, update=update, **kind)[..., -1, :]
                 # Its angle does not depend on the length of the quaternion.
                 wrong = rotation_angle(multiply(conjugate(true), end.astype(np.float64)))
                 errors[j, i, u] = np.sqrt(np.mean(wrong**2, axis=-1))
@@ -133,8 +119,8 @@ def short_word_errors(
                     lengths[j, i, u] = np.sqrt(np.mean(change**2, axis=-1))
     words = [each for each in product(motions, ARITHMETICS, UPDATES) for _ in STEP_ANGLES]
     of_motion, of_arithmetic, of_update = map(list, zip(*words, strict=True))
-    # No error has no place on a logarithmic axis.
-    shown = np.where(errors > 0, errors, np.nan)
+    shown = np.where(errors > 0, errors, np.nan)  # zero has no place on a logarithmic axis
+    line = np.array([STORED_AS_ONE])
     return DataTable(
         {
             "motion": (of_motion,),
@@ -142,18 +128,14 @@ def short_word_errors(
             "update": (of_update, "", "how the attitude is advanced"),
             "step": (angles.ravel(), "rad", "angle of a step, rms over the run"),
             "error": (shown.ravel(), "arcsec", "of the attitude at the end, rms over the starts"),
-            "length_error": (
-                lengths.ravel(), "", "of the quaternion, relative, if it is not normalised"
-            ),
-            "stored_as_one": (
-                np.array([STORED_AS_ONE]), "rad", "below this λ0 is 1 in a word of 32 bits"
-            ),
+            "length_error": (lengths.ravel(), "", "of the quaternion, if it is not normalised"),
+            "stored_as_one": (line, "rad", "below this angle λ0 is 1 in a word of 32 bits"),
         },
         {
             "steps": (count, "", "steps of a run"),
             "starts": (many, "", "attitudes at the start"),
         },
-    )  # fmt: skip
+    )
 
 
 def _increments(name: str, step_angle: float, steps: int, starts: int, seed: int) -> FloatArray:
