@@ -14,13 +14,7 @@ from driftlab.book.machinery.results import ABSENT, Results
 from driftlab.book.machinery.units import angle_text
 from driftlab.motion.profiles import Motion
 
-from .experiments import (
-    DURATION,
-    MOTIONS,
-    SAMPLE_RATES,
-    SHIP,
-    algorithm_errors,
-)
+from .experiments import DURATION, MOTIONS, SAMPLE_RATES, SHIP, algorithm_errors
 from .figures.algorithm_laboratory import AlgorithmLaboratoryPicture
 
 WORDS = {"64 bits": False, "32 bits": True}
@@ -84,18 +78,13 @@ class AlgorithmLaboratoryExplorer(Explorer):
     def numbers(self, table: DataTable) -> Results:
         worst = {name: error.max() for name, error in table.error.items()}
         best = min(worst, key=lambda name: np.nan_to_num(worst[name], nan=np.inf))
-        return Results(
-            (f"least error, by {best}", angle_text(worst[best])),
-            [
-                (
-                    name,
-                    angle_text(worst.get(name, np.nan)),
-                    ABSENT if table.orders.get(name) is None else f"{table.orders[name]:.2f}",
-                )
-                for name in ALGORITHMS
-            ],
-            ("largest error", "order"),
-        )
+        orders = {name: f"{order:.2f}" for name, order in table.orders.items() if order is not None}
+        rows = [
+            (name, angle_text(worst.get(name, np.nan)), orders.get(name, ABSENT))
+            for name in ALGORITHMS
+        ]
+        headline = f"least error, by {best}", angle_text(worst[best])
+        return Results(headline, rows, ("largest error", "order"))
 
     def call(self, values: Values) -> str:
         kind = MOTIONS[values["motion"]].__name__

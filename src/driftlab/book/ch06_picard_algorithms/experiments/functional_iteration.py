@@ -7,11 +7,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
-from driftlab.attitude.coning_algorithms import (
-    Algorithms,
-    AnyAlgorithm,
-    named_algorithms,
-)
+from driftlab.attitude.coning_algorithms import Algorithms, AnyAlgorithm, named_algorithms
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import integrate
@@ -45,7 +41,6 @@ ERROR_SIZES: FloatArray = np.geomspace(1e-8, 1e-3, 6)
 """Errors of an increment: standard deviations of white noise, rad."""
 NOISY_COUNT = 480
 """Increments of a noisy run, about: they are a multiple of all windows."""
-NOISY_RUNS = 16
 
 
 def window_errors(
@@ -54,7 +49,7 @@ def window_errors(
     half_angle: float = WIDE_BRACKET.half_angle,
     frequency: float = WIDE_BRACKET.frequency,
     sample_rate: float = WIDE_BRACKET_RATE,
-    runs: int = NOISY_RUNS,
+    runs: int = 16,
     seed: int = 6,
 ) -> DataTable:
     """Try windows of several widths: with few samples and many, and with noise.
@@ -89,11 +84,7 @@ def window_errors(
             "drift": (drift, "deg_per_h", "size of the drift on the cone"),
             "noise": (ERROR_SIZES, "arcsec", "standard deviation of an increment"),
             "error": (error, "arcsec", "of the attitude after the noisy runs, root mean square"),
-            "noise_added_up": (
-                added_up,
-                "arcsec",
-                "what this adds up to on the average",
-            ),
+            "noise_added_up": (added_up, "arcsec", "what this adds up to on the average"),
         },
         {
             "half_angle": (cone.half_angle, "deg", "half angle of the cone"),

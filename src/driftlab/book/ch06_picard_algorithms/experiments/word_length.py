@@ -109,12 +109,13 @@ def short_word_errors(
         for i, arithmetic in enumerate(ARITHMETICS.values()):
             for u, update in enumerate(UPDATES):
                 kind = arithmetic._asdict()
-                end = integrate_in_word(runs, start=begin, update=update, **kind)[..., -1, :]
+                found = integrate_in_word(runs, start=begin, update=update, **kind)
+                end = found[..., -1, :].astype(np.float64)
                 # Its angle does not depend on the length of the quaternion.
-                wrong = rotation_angle(multiply(conjugate(true), end.astype(np.float64)))
+                wrong = rotation_angle(multiply(conjugate(true), end))
                 errors[j, i, u] = np.sqrt(np.mean(wrong**2, axis=-1))
                 if not arithmetic.fused and not arithmetic.normalise:
-                    length = np.linalg.norm(end.astype(np.float64), axis=-1)
+                    length = np.linalg.norm(end, axis=-1)
                     change = length / np.linalg.norm(begin, axis=-1) - 1
                     lengths[j, i, u] = np.sqrt(np.mean(change**2, axis=-1))
     words = [each for each in product(motions, ARITHMETICS, UPDATES) for _ in STEP_ANGLES]

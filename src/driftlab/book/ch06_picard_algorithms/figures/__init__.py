@@ -55,9 +55,8 @@ FIGURES = (
         last_stages.draw,
         lambda table: (
             f"{len(table.stage)} ways from the corrected sum of two increments to a quaternion. "
-            "Drift on "
-            f"a cone that is sampled {table.samples_a_round} times a round; error of one step "
-            "about a fixed axis, where the rotation vector has none but rounding; error at "
+            f"Drift on a cone that is sampled {table.samples_a_round} times a round; error of one "
+            "step about a fixed axis, where the rotation vector has none but rounding; error at "
             "the end of random motions about three axes, over that of the rotation vector; and "
             "operations of a step, a sine counted as one."
         ),

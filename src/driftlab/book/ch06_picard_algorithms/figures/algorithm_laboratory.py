@@ -74,8 +74,8 @@ def draw_slopes(
         errors = top * (rates / rates[0]) ** -float(order)
         panel.plot(rates, errors, color=GREY, linewidth=0.8, label=GUIDE)
         if order in named:
-            name = f"order {order}"
-            panel.text(1.05 * rates[1], errors[1], name, color=GREY, va="center", **words)
+            place = 1.05 * rates[1], errors[1]
+            panel.text(*place, f"order {order}", color=GREY, va="center", **words)
 
 
 class AlgorithmLaboratoryPicture(Picture[DataTable]):
@@ -90,8 +90,7 @@ class AlgorithmLaboratoryPicture(Picture[DataTable]):
         )  # fmt: skip
         history, order = panels["a"], panels["b"]
         self.order_axes = order
-        history.set(title="error of attitude after each step", xlabel="time, s")
-        history.set(xlim=(0, DURATION))
+        history.set(title="error of attitude after each step", xlabel="time, s", xlim=(0, DURATION))
         # No error at all has no place on a logarithmic axis.
         history.set_yscale("log", nonpositive="mask")
         order.set(title=f"largest error in {DURATION:g} s: steeper is better", xscale="log")

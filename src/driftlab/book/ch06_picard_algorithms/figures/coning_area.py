@@ -25,21 +25,17 @@ def draw(drawing: Drawing) -> None:
         "abc", (10.5, 4.0), (0.01, 0.05, 0.985, 0.9), spaces=(0.15, 0.2), column="a;b;c",
         width_ratios=[0.8, 1, 1], column_heights=[0.8, 1, 1],
     )  # fmt: skip
-    cone, round_, pair = panels.values()
-    for panel, title in (
-        (cone, "the third axis runs round"),
-        (round_, "sum of the increments in a round"),
-        (pair, "one pair of samples"),
-    ):
+    titles = "the third axis runs round", "sum of the increments in a round", "one pair of samples"
+    for panel, title in zip(panels.values(), titles, strict=True):
         panel.set_title(title)
         panel.set_aspect("equal")
         panel.axis("off")
     table = drawing.table
     circle, corners = table.circle.T, table.corners.T
-    _draw_cone(cone, table.third_axis.T)
-    _draw_round(round_, circle, corners, table.radius)
+    _draw_cone(panels["a"], table.third_axis.T)
+    _draw_round(panels["b"], circle, corners, table.radius)
     arc = circle[: 2 * (len(circle) - 1) // table.samples + 1]
-    _draw_pair(pair, arc, corners[:3])
+    _draw_pair(panels["c"], arc, corners[:3])
 
 
 def _draw_cone(panel: Axes, third_axis: FloatArray) -> None:
@@ -57,8 +53,7 @@ def _draw_round(panel: Axes, circle: FloatArray, corners: FloatArray, radius: fl
     panel.add_patch(Polygon(circle, closed=True, color=ORANGE, alpha=0.6, linewidth=0))
     panel.add_patch(Polygon(corners, closed=True, color="white", linewidth=0))
     panel.plot(*circle.T, **SERIES[0], label="true")
-    panel.plot(*corners.T, color=VERMILION, marker="o", markersize=4,
-               label="from samples")  # fmt: skip
+    panel.plot(*corners.T, color=VERMILION, marker="o", markersize=4, label="from samples")
     panel.legend(loc="center")
     reach = 1.1 * radius
     panel.set(xlim=(-reach - radius, reach - radius), ylim=(-reach, reach))
