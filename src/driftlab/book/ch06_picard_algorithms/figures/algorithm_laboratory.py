@@ -90,9 +90,8 @@ class AlgorithmLaboratoryPicture(Picture[DataTable]):
         )  # fmt: skip
         history, order = panels["a"], panels["b"]
         self.order_axes = order
-        history.set(title="error of attitude after each step", xlabel="time, s", xlim=(0, DURATION))
-        # No error at all has no place on a logarithmic axis.
-        history.set_yscale("log", nonpositive="mask")
+        history.set(title="error of attitude after each step", xlabel="time, s")
+        history.set(xlim=(0, DURATION), yscale="log")
         order.set(title=f"largest error in {DURATION:g} s: steeper is better", xscale="log")
         order.set(xlabel="sample rate, Hz", xlim=(10.5, 220))
         order.set_xticks(SAMPLE_RATES, [str(rate) for rate in SAMPLE_RATES])
@@ -115,12 +114,14 @@ class AlgorithmLaboratoryPicture(Picture[DataTable]):
 
     def update(self, table: DataTable) -> None:
         for name in STYLES:
-            ticked = name in table.orders
             for lines, x, y in (
                 (self.histories, f"time, {name}", f"error, {name}"),
                 (self.orders, "rate", f"largest_error, {name}"),
             ):
-                lines[name].set_data(*(table.shown(each) if ticked else [] for each in (x, y)))
+                ticked = name in table.orders
+                at, error = (table.shown(each) if ticked else np.empty(0) for each in (x, y))
+                # No error at all has no place on a logarithmic axis.
+                lines[name].set_data(at, np.where(error > 0, error, np.nan))
         self._scale(table)
         self.here.set_data([table.at_rate, table.at_rate], self.order_axes.get_ylim())
 
