@@ -64,8 +64,7 @@ def algorithm_errors(
     for j, sample_rate in enumerate(rates):
         count = round(DURATION * sample_rate)
         increments = motion.increments(1 / sample_rate, count)
-        moments = np.arange(count + 1) / sample_rate
-        exact = motion.attitude(moments)
+        exact = motion.attitude(np.arange(count + 1) / sample_rate)
         for group in groups:
             of_group = [list(chosen.values())[i] for i in group]
             try:
@@ -81,8 +80,7 @@ def algorithm_errors(
             if sample_rate == rate:
                 histories |= dict(zip(group, errors, strict=True))
     error = {name: histories[i] for i, name in enumerate(chosen)}
-    steps = {name: len(each) for name, each in error.items()}
-    time = {name: DURATION / count * np.arange(1.0, count + 1) for name, count in steps.items()}
+    time = {name: DURATION / len(e) * np.arange(1.0, len(e) + 1) for name, e in error.items()}
     sampled, rounding = np.array(rates, float), 1e-5 if short_word else 1e-12
     orders = {
         name: _fitted_order(sampled, each, rounding)

@@ -86,9 +86,8 @@ def square_of_turns(first: float, second: float, samples: int = 75) -> DataTable
         turned[:, :2] = summed[now] - summed[side * samples]
         attitude[now] = multiply(attitude[side * samples], from_rotation_vector(turned))
     x, y = summed.T
-    swept = 0.5 * np.cumsum(x[:-1] * np.diff(y) - y[:-1] * np.diff(x))
+    area = 0.5 * np.append(0.0, np.cumsum(x[:-1] * np.diff(y) - y[:-1] * np.diff(x)))
     vector = to_rotation_vector(attitude)
-    area = np.concatenate([[0.0], swept])
     return DataTable(
         {
             "turns": (turns, "", "made"),

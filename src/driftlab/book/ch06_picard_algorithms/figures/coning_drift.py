@@ -34,11 +34,8 @@ def alike(table: DataTable) -> list[list[str]]:
             groups.append([name])
         else:
             group.append(name)
-    return [sorted(group, key=lambda name: -_order(name)) for group in groups]
-
-
-def _order(name: str) -> int:
-    return CONING_ALGORITHMS[name].order if name in CONING_ALGORITHMS else 0
+    orders = {name: one.order for name, one in CONING_ALGORITHMS.items()}
+    return [sorted(group, key=lambda name: -orders.get(name, 0)) for group in groups]
 
 
 def _label(group: list[str], names: list[str], narrow: bool) -> str:

@@ -5,7 +5,6 @@ import numpy as np
 from driftlab.attitude.finite_precision import UPDATES
 from driftlab.book.machinery.drawing import Drawing, from_table
 from driftlab.book.machinery.picture import GREY, GUIDE, SERIES, legend_below_all
-from driftlab.book.machinery.sheet import Sheet
 
 from ..experiments import STORED_AS_ONE
 
@@ -63,15 +62,10 @@ def draw(drawing: Drawing) -> None:
             if sheet.narrow and first:
                 panel.set_ylabel("error, arc seconds")
         if not sheet.narrow:
-            mosaic[row[0]].set_ylabel(_ordinate(title, table.steps, sheet))
+            when = "" if sheet.on_paper else f" after {table.steps} steps"
+            mosaic[row[0]].set_ylabel(f"{title}:\nerror{when}, arc seconds")
     first_panel = mosaic["a"]
     stored = "left: $\\lambda_0$\nstored as 1" if sheet.on_paper else STORED
     for x, words in ((8e-7, "the paper's\nsteps"), (1.15 * STORED_AS_ONE, stored)):
         first_panel.text(x, 1.3 * bottom, words, va="bottom", fontsize="small")
     legend_below_all(drawing.figure, sheet, first_panel, column=1)
-
-
-def _ordinate(title: str, steps: int, sheet: Sheet) -> str:
-    if sheet.on_paper:
-        return f"{title}:\nerror, arc seconds"
-    return f"{title}:\nerror after {steps} steps, arc seconds"
