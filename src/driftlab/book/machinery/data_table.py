@@ -130,7 +130,8 @@ class DataTable:
             raise KeyError(f"This table has {'; '.join(self._columns)}, and no column {title}.")
         name = self._columns[title][0]
         unit = self._entries[name].unit
-        return f"{name}_{unit}{title.removeprefix(name)}" if unit else title
+        kind, comma, rest = title.partition(", ")  # a column's own name may have several words
+        return f"{kind}_{unit}{comma}{rest}" if unit else title
 
     def shown(self, title: str) -> Any:
         """Return a single column or a fact in the unit in which it is shown."""
