@@ -39,6 +39,7 @@ UNITS: dict[str, tuple[float, str]] = {
     "cm": (0.01, " cm"),
     "m": (1.0, " m"),
     "km": (1e3, " km"),
+    "nmi": (1852.0, " nautical miles"),
     "m_per_s": (1.0, " m/s"),
     "mm_per_s": (milli, " mm/s"),
     "m_per_s2": (1.0, " m/s²"),
