@@ -79,7 +79,7 @@ def test_the_ship_has_the_numbers_of_the_panel() -> None:
     panel = opened(GyrocompassExplorer)
     run = panel.compute(panel.values)
     ship = ship_with_compass(SPEED, 0.0, np.pi / 2, GYRO_BIAS)
-    assert np.array_equal(ship.tilt, run.tilt)
+    assert np.array_equal(ship.tilt.T, [run.tilt_north, run.tilt_east])
     # Added up elsewhere, which may round otherwise.
     shown = run.heading_error + run.speed_error
     np.testing.assert_allclose(ship.shown_error, shown, rtol=1e-12, atol=1e-16)

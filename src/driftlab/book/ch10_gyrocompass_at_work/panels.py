@@ -6,6 +6,7 @@ import numpy as np
 from scipy.constants import arcminute, degree, hour, knot, minute
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import ABSENT, Results
 from driftlab.book.machinery.sensor_controls import (
@@ -18,12 +19,12 @@ from driftlab.book.machinery.sensor_controls import (
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship_manoeuvre
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.noise import GyroNoise
-from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
+from driftlab.gyrocompass.simulation import simulate_compass
 from driftlab.gyrocompass.type_test import marine_type_test
 from driftlab.gyrocompass.type_test_compass import COARSE, Gyrocompass
 from driftlab.gyrocompass.type_test_limits import LIMITS, TypeTest
 
-from .experiments import GYRO_BIAS, TUNING_FACTORS
+from .experiments import GYRO_BIAS, TUNING_FACTORS, error_table
 from .figures.operation import OperationPicture
 from .figures.type_tests import BarsPicture
 
@@ -75,11 +76,11 @@ class GyrocompassExplorer(Explorer):
         "Whole turn": "The ship comes back to its course. Does the heading come back too?",
     }
 
-    def compute(self, values: Values) -> HeadingErrors:
+    def compute(self, values: Values) -> DataTable:
         latitude, course, turn = (
             float(np.radians(values[name])) for name in ("latitude", "course", "turn")
         )
-        return simulate_compass(
+        run = simulate_compass(
             ship_manoeuvre(latitude, values["speed"], course, turn),
             gyro_biases(values),
             tuning_factor=values["tuning"],
@@ -87,23 +88,21 @@ class GyrocompassExplorer(Explorer):
             tilt=values["tilt"] * arcminute,
             log=values["log"],
         )
+        return error_table(run)
 
-    def numbers(self, data: HeadingErrors) -> Results:
+    def numbers(self, table: DataTable) -> Results:
         # The formula is of first order: good while all angles are small.
-        large = max(np.abs(data.yaw_error).max(), np.abs(data.compass_error).max()) > 0.2
-        gap = np.abs(data.heading_error - data.formula.heading)
+        large = max(np.abs(table.yaw_error).max(), np.abs(table.compass_angle_error).max()) > 0.2
+        gap = np.degrees(np.abs(table.heading_error - table.formula))
         rows = [
-            _row(name, np.degrees(error), "°", 4)
-            for name, error in (
-                ("heading", data.heading_error),
-                ("of it, yaw ψ", data.yaw_error),
-                ("of it, compass angle", data.compass_error),
-                ("speed deviation", data.speed_error),
-                ("off the formula", np.full(1, np.nan) if large else gap),
-            )
+            _row("heading", table.shown("heading_error"), "°", 4),
+            _row("of it, yaw ψ", table.shown("yaw_error"), "°", 4),
+            _row("of it, compass angle", table.shown("compass_angle_error"), "°", 4),
+            _row("speed deviation", table.shown("speed_error"), "°", 4),
+            _row("off the formula", np.full(1, np.nan) if large else gap, "°", 4),
+            _row("tilt about North", table.shown("tilt_north"), "′", 3),
+            _row("tilt about East", table.shown("tilt_east"), "′", 3),
         ]
-        for i, axis in enumerate(("North", "East")):
-            rows.append(_row(f"tilt about {axis}", data.tilt[:, i] / arcminute, "′", 3))
         return Results(("largest heading error", rows[0][1]), rows, ("largest", "at the end"))
 
     def call(self, values: Values) -> str:

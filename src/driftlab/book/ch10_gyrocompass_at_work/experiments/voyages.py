@@ -1,11 +1,12 @@
 """A ship's gyrocompass for two hours: its errors, their formula, and what the tuning does."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import arcminute, degree, g, hour, milli
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship_manoeuvre
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
@@ -36,20 +37,9 @@ LOG_SCALE, CURRENT = 0.01, (0.5, 0.0)
 """A log with errors: what it tells too much, and the current to North and East, m/s, unseen."""
 
 
-class Horizons(NamedTuple):
-    """Errors of several horizons on one voyage."""
-
-    runs: dict[str, HeadingErrors]  # by tuning and damping
-    log_scale: float = 0.0  # what a log tells too much, over the velocity
-    current: tuple[float, float] = (0.0, 0.0)  # to North and East, m/s, which no log sees
-
-
-class OperatingFormula(NamedTuple):
-    """One voyage, and how far (operating heading) is off with all of its terms and without each."""
-
-    run: HeadingErrors
-    # (5, n), simulated minus formula, rad: with all terms, then with each left out
-    gaps: FloatArray
+EVERY_THIRD, EVERY_SIXTH = slice(2, None, 3), slice(5, None, 6)
+"""Steps of a voyage that figures show."""
+TERMS = ("rate about East", "rate about North", "minus the yaw's error", "tilt by tan pitch")
 
 
 def errors_under_way(
@@ -61,11 +51,27 @@ def errors_under_way(
     tuning_factor: float = 1.0,
     damping: float = 0.0,
     log: bool = False,
-) -> HeadingErrors:
+) -> DataTable:
     """Return the errors of a compass on the ship's voyage."""
     way = ship_manoeuvre(latitude, speed, course, turn)
-    return simulate_compass(
-        way, gyro_bias_body, tuning_factor=tuning_factor, damping=damping, log=log
+    return error_table(
+        simulate_compass(way, gyro_bias_body, tuning_factor=tuning_factor, damping=damping, log=log)
+    )
+
+
+def error_table(run: HeadingErrors) -> DataTable:
+    """Return the errors of a simulated compass as a table."""
+    return DataTable(
+        {
+            "time": (run.times, "min", "since the start"),
+            "heading_error": (run.heading_error, "deg", "without the speed error"),
+            "formula": (run.formula.heading, "deg", "the same by the formula"),
+            "speed_error": (run.speed_error, "deg", "what the ship's own way makes of North"),
+            "tilt_north": (run.tilt[:, 0], "arcmin", "of the horizon about North"),
+            "tilt_east": (run.tilt[:, 1], "arcmin", "of the horizon about East"),
+            "yaw_error": (run.yaw_error, "deg", "part of the heading error"),
+            "compass_angle_error": (run.compass_error, "deg", "part of the heading error"),
+        }
     )
 
 
@@ -77,7 +83,7 @@ def ballistic_errors(
     stiff: float = 2.0,
     soft: float = 0.5,
     damping: float = DAMPING,
-) -> Horizons:
+) -> DataTable:
     """Return the errors of five tunings with perfect sensors on the ship's voyage.
 
     `stiff` and `soft` are values of k2 R; 1 is Schuler's tuning.
@@ -90,9 +96,21 @@ def ballistic_errors(
         f"damped: k2 = 1/R, ratio {damping:g}": {"damping": damping},
     }
     way = ship_manoeuvre(latitude, speed, course, turn)
-    return Horizons(
+    return several_horizons(
         {name: simulate_compass(way, np.zeros(3), **tuning) for name, tuning in tunings.items()}
     )
+
+
+def several_horizons(runs: dict[str, HeadingErrors], **facts: tuple[Any, ...]) -> DataTable:
+    """Return the errors of several horizons on one voyage, by tuning and damping."""
+    columns: dict[str, tuple[Any, ...]] = {
+        "time": (next(iter(runs.values())).times[EVERY_THIRD], "min", "since the start")
+    }
+    for name, run in runs.items():
+        tilt, heading = run.tilt[EVERY_THIRD, 1], run.heading_error[EVERY_THIRD]
+        columns[f"tilt_east, {name}"] = (tilt, "arcmin", "of the horizon")
+        columns[f"heading_error, {name}"] = (heading, "deg", "without the speed error")
+    return DataTable(columns, {"runs": (runs, "", "errors at every step"), **facts})
 
 
 def damping_at_sea(
@@ -104,7 +122,7 @@ def damping_at_sea(
     damping: float = DAMPING,
     log_scale: float = LOG_SCALE,
     current: tuple[float, float] = CURRENT,
-) -> Horizons:
+) -> DataTable:
     """Return the errors of four horizons: undamped, and damped with a log or not.
 
     The log measures the velocity through the water, so that a current is missing in what it tells.
@@ -118,7 +136,11 @@ def damping_at_sea(
         "damped by a log with errors": {"damping": damping, "log": True, "log_error": log_error},
     }
     runs = {name: simulate_compass(way, gyro_bias_body, **log) for name, log in logs.items()}
-    return Horizons(runs, log_scale, current)
+    return several_horizons(
+        runs,
+        log_scale=(log_scale, "percent", "what the log tells too much"),
+        current=(current, "m_per_s", "to North and East, which no log sees"),
+    )
 
 
 def operating_formula(
@@ -131,11 +153,26 @@ def operating_formula(
     course: float = CRAFT["course"],
     turn: float = CRAFT["turn"],
     pitch: float = CRAFT["pitch"],
-) -> OperatingFormula:
+) -> DataTable:
     """Compare the compass of a fast craft with (operating heading), term by term."""
     way = ship_manoeuvre(latitude, speed, course, turn, CRAFT["interval"], pitch)
     run = simulate_compass(
         way, gyro_bias_body, accelerometer_bias_body, tuning_factor=tuning_factor, tilt=tilt
     )
     gap = run.compass_error - run.formula.compass_angle
-    return OperatingFormula(run, np.stack([gap, *(gap + term for term in run.formula)]))
+    gaps = np.stack([gap, *(gap + term for term in run.formula)])
+    seen = EVERY_SIXTH
+    return DataTable(
+        {
+            "time": (run.times[seen], "min", "since the start"),
+            "simulated": (run.compass_error[seen], "deg", "error of the compass angle"),
+            "formula": (run.formula.compass_angle[seen], "deg", "the same by the formula"),
+            "term": (np.stack(run.formula)[:, seen], "deg", "of the formula", TERMS),
+            "missing": (np.abs(gaps[0, seen]), "deg", "size of simulated minus formula"),
+            "missing_without": (np.abs(gaps[1:, seen]), "deg", "likewise, without a term", TERMS),
+        },
+        {
+            "run": (run, "", "errors at every step"),
+            "gaps": (gaps, "deg", "simulated minus formula: with all terms, without each"),
+        },
+    )

@@ -8,7 +8,6 @@ from driftlab.book.machinery.publish import FigureDefinition, table_figure
 from driftlab.book.machinery.scene.published import scene_figure
 from driftlab.book.scenarios import SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
-from driftlab.gyrocompass.simulation import HeadingErrors
 from driftlab.gyrocompass.type_test_limits import LIMITS
 from driftlab.recordings.publishers import PUBLISHED
 
@@ -76,20 +75,20 @@ def _response_caption(data: experiments.FrequencyResponse) -> str:
     )
 
 
-def _operation_caption(data: HeadingErrors) -> str:
-    gap = _largest(data.heading_error - data.formula.heading)
+def _operation_caption(data: DataTable) -> str:
+    gap = _largest(data.heading_error - data.formula)
     return (
         "A ship gathers way and turns (shaded), published for gyros that drift by a few hundredths "
         "of a degree per hour on a way first to the North, then to the West. The heading error "
         f"reaches {_largest(data.heading_error):.2f} "
         f"degrees, the formula follows within {gap:.1g}. At the end the yaw is off by "
         f"{np.degrees(data.yaw_error[-1]):+.2f} degrees and the compass angle by "
-        f"{np.degrees(data.compass_error[-1]):+.2f}. The speed error, up to "
+        f"{np.degrees(data.compass_angle_error[-1]):+.2f}. The speed error, up to "
         f"{_largest(data.speed_error):.1f} degrees, is counted apart."
     )
 
 
-def _ballistic_caption(data: experiments.Horizons) -> str:
+def _ballistic_caption(data: DataTable) -> str:
     tilts = [np.abs(run.tilt).max() / arcminute for run in data.runs.values()]
     damped = _largest(list(data.runs.values())[-1].heading_error)
     return (
@@ -101,7 +100,7 @@ def _ballistic_caption(data: experiments.Horizons) -> str:
     )
 
 
-def _damping_caption(data: experiments.Horizons) -> str:
+def _damping_caption(data: DataTable) -> str:
     undamped, alone, damped, wrong = (np.degrees(run.heading_error) for run in data.runs.values())
     swing = SCHULER_PERIOD / 2 / next(iter(data.runs.values())).times[0]
     beyond = ", beyond the axes," if np.abs(alone).max() > horizons.damping_reach(data)[1] else ""
@@ -120,7 +119,7 @@ def _damping_caption(data: experiments.Horizons) -> str:
     )
 
 
-def _formula_caption(data: experiments.OperatingFormula) -> str:
+def _formula_caption(data: DataTable) -> str:
     before = data.run.times < TURN[0]
     without = [_largest(gap[before]) for gap in data.gaps[1:]]
     return (
@@ -228,32 +227,25 @@ FIGURES = (
         frequency_response.columns,
         _response_caption,
     ),
-    FigureDefinition(
+    table_figure(
         "10-ballistic-error",
         experiments.ballistic_errors,
         horizons.draw_ballistic,
-        horizons.columns,
         _ballistic_caption,
     ),
-    FigureDefinition(
-        "10-damping",
-        experiments.damping_at_sea,
-        horizons.draw_damping,
-        horizons.columns,
-        _damping_caption,
+    table_figure(
+        "10-damping", experiments.damping_at_sea, horizons.draw_damping, _damping_caption
     ),
-    FigureDefinition(
+    table_figure(
         "10-operation",
         experiments.errors_under_way,
         operation.OperationPicture.draw,
-        operation.columns,
         _operation_caption,
     ),
-    FigureDefinition(
+    table_figure(
         "10-operating-formula",
         experiments.operating_formula,
         operating_formula.draw,
-        operating_formula.columns,
         _formula_caption,
     ),
     FigureDefinition(

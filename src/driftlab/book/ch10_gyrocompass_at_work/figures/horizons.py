@@ -3,29 +3,15 @@
 from collections.abc import Iterable
 
 import numpy as np
-from matplotlib.figure import Figure
 from scipy.constants import arcminute, minute
 
-from driftlab.book.machinery.picture import SERIES, in_style, legend_below_all
-from driftlab.book.machinery.sheet import Sheet
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.drawing import Drawing, from_table
+from driftlab.book.machinery.picture import SERIES, legend_below_all
 from driftlab.book.scenarios import DURATION
-from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import HeadingErrors
 
-from ..experiments import Horizons
 from .operation import shade_manoeuvres
-
-SHOWN = slice(2, None, 3)
-"""Steps of the voyage that are drawn."""
-
-
-def columns(data: Horizons) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV."""
-    table = {"time_min": next(iter(data.runs.values())).times[SHOWN] / minute}
-    for name, run in data.runs.items():
-        table[f"tilt_east_arcmin, {name}"] = run.tilt[SHOWN, 1] / arcminute
-        table[f"heading_error_deg, {name}"] = np.degrees(run.heading_error[SHOWN])
-    return table
 
 
 def reach(runs: Iterable[HeadingErrors], least: tuple[float, float]) -> tuple[float, float]:
@@ -40,27 +26,28 @@ def reach(runs: Iterable[HeadingErrors], least: tuple[float, float]) -> tuple[fl
     )
 
 
-@in_style
-def draw_ballistic(data: Horizons, sheet: Sheet) -> Figure:
-    """Draw all horizons."""
-    return _drawn(data, sheet, *reach(data.runs.values(), (6.0, 6.0)))
-
-
-@in_style
-def draw_damping(data: Horizons, sheet: Sheet) -> Figure:
-    """Draw all horizons; the damped one without a log may leave the panels."""
-    return _drawn(data, sheet, *damping_reach(data))
-
-
-def damping_reach(data: Horizons) -> tuple[float, float]:
+def damping_reach(table: DataTable) -> tuple[float, float]:
     """Reach of all horizons but the damped one without a log."""
-    undamped, _, *by_log = data.runs.values()
+    undamped, _, *by_log = table.runs.values()
     return reach((undamped, *by_log), (0.4, 0.5))
 
 
-def _drawn(data: Horizons, sheet: Sheet, tilt_reach: float, heading_reach: float) -> Figure:
+@from_table
+def draw_ballistic(drawing: Drawing) -> None:
+    """Draw all horizons."""
+    _draw(drawing, *reach(drawing.table.runs.values(), (6.0, 6.0)))
+
+
+@from_table
+def draw_damping(drawing: Drawing) -> None:
+    """Draw all horizons; the damped one without a log may leave the panels."""
+    _draw(drawing, *damping_reach(drawing.table))
+
+
+def _draw(drawing: Drawing, tilt_reach: float, heading_reach: float) -> None:
     """Draw tilt about East and heading error within arc minutes and degrees."""
-    figure, panels = sheet.mosaic(
+    runs, sheet = drawing.table.runs, drawing.sheet
+    panels = drawing.mosaic(
         "ab", (10.5, 3.9), (0.06, 0.23, 0.985, 0.91), spaces=(0.16, 0.2), page_height=3.1,
         column_height=4.8,
     )  # fmt: skip
@@ -71,10 +58,8 @@ def _drawn(data: Horizons, sheet: Sheet, tilt_reach: float, heading_reach: float
     for panel in (tilt, heading):
         panel.set(xlabel="time, minutes", xlim=(0, DURATION / minute))
         shade_manoeuvres(panel)
-    for (name, run), style in zip(data.runs.items(), SERIES, strict=False):
-        minutes = run.times[SHOWN] / minute
-        tilt.plot(minutes, run.tilt[SHOWN, 1] / arcminute, **style, label=name)
-        heading.plot(minutes, np.degrees(run.heading_error[SHOWN]), **style, label=name)
-    rows = 2 if sheet.on_paper and len(data.runs) > 4 else 1
-    legend_below_all(figure, sheet, tilt, -(-len(data.runs) // rows))
-    return figure
+    for name, style in zip(runs, SERIES, strict=False):
+        drawing.curve(tilt, "time", f"tilt_east, {name}", **style, label=name)
+        drawing.curve(heading, "time", f"heading_error, {name}", **style, label=name)
+    rows = 2 if sheet.on_paper and len(runs) > 4 else 1
+    legend_below_all(drawing.figure, sheet, tilt, -(-len(runs) // rows))
