@@ -33,11 +33,11 @@ def test_the_noise_of_the_paper_needs_more_than_white_noise(figure: PublishedFig
 @published("10-restarts")
 def test_restarts_spread_as_their_noise_says(figure: PublishedFigure) -> None:
     data = figure.data
-    assert data.heading.shape == (at_work.RESTARTS,)
+    assert data.aligned_heading.shape == (at_work.RESTARTS,)
     expected = data.deviations[0, 1] / LEVEL_RATE
     low, high = chi_bounds(at_work.RESTARTS - 1)
-    assert low < data.heading.var(ddof=1) / expected**2 < high
-    assert abs(data.heading.mean()) < 4.9 * expected / np.sqrt(at_work.RESTARTS)
+    assert low < data.aligned_heading.var(ddof=1) / expected**2 < high
+    assert abs(data.aligned_heading.mean()) < 4.9 * expected / np.sqrt(at_work.RESTARTS)
     window = np.full(alignments.MOVING_AVERAGE, 1 / alignments.MOVING_AVERAGE)
     direct = np.convolve(data.raw, window, mode="valid")
     np.testing.assert_allclose(data.averaged, direct, rtol=0, atol=1e-12 * data.raw.std())

@@ -27,9 +27,9 @@ def test_the_compass_answers_waves_as_the_loop_says(figure: PublishedFigure) -> 
 @published("10-pulses")
 def test_a_laser_gyro_unit_finds_north_with_a_damped_horizon(figure: PublishedFigure) -> None:
     """From the record if it is at hand, else from the table that was computed from it."""
-    read, whole = np.degrees(figure.data.by_integrals), np.degrees(figure.data.by_whole)
+    read, whole = np.degrees(figure.data.by_integrals), np.degrees(figure.data.by_whole_rate)
     assert read.std() < 0.1
     assert whole.std() > 60
     # Like gravity in inertial space, which chapter 13 has; the header of the file says -90.6.
     assert read.mean() == pytest.approx(-90.6, abs=0.05)
-    assert figure.data.pulse_rate > 4
+    assert figure.data.pulse_over_earth_rate > 4

@@ -27,13 +27,12 @@ from .loop import (
     gain_and_lead,
 )
 from .pendulum import Pendulum, schuler_pendulum
-from .pulses import BEFORE, QUIET, CountedPulses, counted_pulses
+from .pulses import BEFORE, QUIET, counted_pulses
 from .restarts import (
     PAPER_DEVIATION,
     PAPER_SPREAD,
     RESTARTS,
     TRIALS,
-    Restarts,
     restart_series,
     rounded_ratio_range,
     spread_readings,
@@ -51,11 +50,12 @@ from .ship import WAKE, WAKE_POINTS, ShipWithCompass, ship_with_compass
 from .type_tests import (
     CHEAP_COMPASS,
     COMPASSES,
+    HIGH,
     LASTING_DRIFT,
+    LOW,
     PAPER_COMPASS,
     PLACES,
     WORSE,
-    TypeTests,
     type_tests,
 )
 from .voyages import (
@@ -88,10 +88,12 @@ __all__ = [
     "DRIVEN",
     "FREQUENCY",
     "GYRO_BIAS",
+    "HIGH",
     "LASTING",
     "LASTING_DRIFT",
     "LEVELLING",
     "LOG_SCALE",
+    "LOW",
     "OFFSETS",
     "PAPER_COMPASS",
     "PAPER_DEVIATION",
@@ -115,13 +117,10 @@ __all__ = [
     "WAKE_POINTS",
     "WORKING",
     "WORSE",
-    "CountedPulses",
     "FrequencyResponse",
     "Pendulum",
-    "Restarts",
     "ShipWithCompass",
     "StaticCharacteristic",
-    "TypeTests",
     "ballistic_errors",
     "counted_pulses",
     "damped_loop",

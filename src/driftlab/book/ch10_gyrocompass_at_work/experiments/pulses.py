@@ -1,10 +1,8 @@
 """A damped compass with a real laser gyro unit, whose accelerometers count pulses."""
 
-from typing import NamedTuple
-
 import numpy as np
 
-from driftlab.checks import FloatArray
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.gains import Gains, damped_gains
@@ -23,18 +21,7 @@ SHOWN_EVERY = 2.0
 """s."""
 
 
-class CountedPulses(NamedTuple):
-    """Headings of a car at rest, from one damped horizon and two readings of its rate."""
-
-    times: FloatArray  # (n,), s since the beginning of the quiet stretch
-    by_whole: FloatArray  # (n,), headings from the whole level rates, rad
-    by_integrals: FloatArray  # (n,), headings from their integral parts, rad
-    pulse: FloatArray  # (), velocity of one pulse of the accelerometers, m/s
-    # (), what one pulse in one interval is worth in the proportional part, over the Earth's rate
-    pulse_rate: FloatArray
-
-
-def counted_pulses() -> CountedPulses:
+def counted_pulses() -> DataTable:
     """Level a horizon by the accelerometers of a laser gyro unit and read North from it."""
     recording = published("laser-gyro", download=False).in_axes("FUR")
     if recording.latitude is None:
@@ -55,13 +42,18 @@ def counted_pulses() -> CountedPulses:
     north, east = np.moveaxis(run.horizon_rate, -1, 0)
     by_whole = wrap_angle(run.yaw_pitch_roll.heading + np.arctan2(east, north))
     pulse = _pulse(whole)
-    return CountedPulses(
-        run.times[late] - BEFORE,
-        by_whole[late],
-        run.heading[late],
-        pulse=np.array(pulse),
-        pulse_rate=np.array(_rate_of(pulse, gains, interval)),
-    )
+    return DataTable(
+        {
+            "time": (run.times[late] - BEFORE, "min", "since the beginning of the quiet stretch"),
+            "by_whole_rate": (by_whole[late], "deg", "heading from the whole level rates"),
+            "by_integrals": (run.heading[late], "deg", "heading from their integral parts"),
+            "pulse": (np.array([pulse]), "m_per_s", "velocity of one pulse of the accelerometers"),
+            "pulse_over_earth_rate": (
+                np.array([_rate_of(pulse, gains, interval)]), "",
+                "of one pulse in one interval, through k1",
+            ),
+        }
+    )  # fmt: skip
 
 
 def _pulse(increments: Increments) -> float:

@@ -1,7 +1,5 @@
 """Plotnikov Fig. 2, simulated from its description: 26 restarts, and what their spread can say."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
@@ -9,11 +7,12 @@ from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
     WHITE,
     gyro_noise,
 )
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, whole_number
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.noise import GyroNoise, moving_average
-from driftlab.gyrocompass.trials import normal_ranges
+from driftlab.gyrocompass.trials import most_range_over_deviation, normal_ranges
 from driftlab.motion.vehicle import static_imu
 
 RESTARTS = 26
@@ -27,17 +26,8 @@ NOISES = (gyro_noise(WHITE[0]), gyro_noise(WHITE[1]))
 SEED = 26
 
 
-class Restarts(NamedTuple):
-    """A series of restarts, the noise of one of them, and ranges of normal samples."""
-
-    noises: tuple[GyroNoise, GyroNoise]  # of a gyro, the quieter one first
-    window: int  # samples that are averaged
-    heading: FloatArray  # (restarts,), rad, with the weaker noise, averaged
-    raw: FloatArray  # (n,), noise of one gyro with the stronger noise, rad/s
-    averaged: FloatArray  # (m,), the same after the moving average, rad/s
-    deviations: FloatArray  # (2, 2), a row for each noise: before and after averaging, rad/s
-    # (trials,), range over standard deviation of as many normal values as restarts
-    ranges: FloatArray
+SHOWN = slice(None, None, 5)
+"""Samples of the noise that the figure shows."""
 
 
 def restart_series(
@@ -47,7 +37,7 @@ def restart_series(
     trials: int = TRIALS,
     latitude: float = SARATOV_LATITUDE,
     seed: int = SEED,
-) -> Restarts:
+) -> DataTable:
     """Switch a compass on again and again, and let it average before it aligns."""
     restarts = whole_number(restarts, "restarts", least=2)
     rng = np.random.default_rng(whole_number(seed, "seed", least=0))
@@ -59,15 +49,39 @@ def restart_series(
     deviations = [
         [np.hypot(gyro.white, gyro.slow), gyro.deviation_of_mean(window)] for gyro in (weak, strong)
     ]
-    return Restarts(
-        (weak, strong),
-        window,
-        heading,
-        raw,
-        moving_average(raw, window),
-        np.array(deviations),
-        normal_ranges(restarts, trials, rng),
-    )
+    averaged, ranges = moving_average(raw, window), normal_ranges(restarts, trials, rng)
+    density, edges = np.histogram(ranges, min(120, 10 + len(ranges) // 100), density=True)
+    least, most = rounded_ratio_range()
+    sampled = strong.interval * np.arange(len(raw))
+    return DataTable(
+        {
+            "restart": (np.arange(1.0, restarts + 1), "", "counted from 1"),
+            "aligned_heading": (heading, "deg", "with the weaker noise, averaged"),
+            "sample_time": (sampled[SHOWN], "min", "since the start"),
+            "rate": (raw[SHOWN], "deg_per_h", "stronger noise of one gyro"),
+            "mean_time": (sampled[window - 1 :][SHOWN], "min", "of the last sample of a mean"),
+            "mean_rate": (averaged[SHOWN], "deg_per_h", "the same noise, averaged"),
+            "range_over_deviation": (
+                (edges[1:] + edges[:-1]) / 2, "", "of normal values, middle of a class"
+            ),
+            "density": (density, "", "of probability in the class"),
+            "paper_range_over_deviation": ([PAPER_SPREAD / PAPER_DEVIATION], "", "of the paper"),
+            "paper_ratio_rounded_from": ([least], "", "least that rounds to the paper's"),
+            "paper_ratio_rounded_to": ([most], "", "largest that rounds to the paper's"),
+            "largest_possible_ratio": ([most_range_over_deviation(restarts)], "", "of any values"),
+        },
+        {
+            "window": (window, "", "samples that are averaged"),
+            "white": (np.array([weak.white, strong.white]), "deg_per_h", "noise of a sample"),
+            "deviations": (
+                np.array(deviations), "deg_per_h", "for each noise, before and after averaging"
+            ),
+            "raw": (raw, "deg_per_h", "all samples of the stronger noise"),
+            "averaged": (averaged, "deg_per_h", "all means of them"),
+            "ranges": (ranges, "", "over deviation, of as many normal values as restarts"),
+            "edges": (edges, "", "of the classes of these"),
+        },
+    )  # fmt: skip
 
 
 def rounded_ratio_range() -> tuple[float, float]:

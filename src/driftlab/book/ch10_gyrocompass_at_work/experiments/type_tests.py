@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from itertools import product
 
 import numpy as np
 from scipy.constants import degree
@@ -12,6 +12,7 @@ from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
     WHITE,
     gyro_noise,
 )
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, finite_array
 from driftlab.earth import EARTH_RATE
@@ -61,14 +62,8 @@ COMPASSES = compasses(PAPER_COMPASS, DAMPING, WORSE)
 CHEAP_COMPASS = COMPASSES[f"gyros {WORSE:g} times worse"]
 
 
-class TypeTests(NamedTuple):
-    """Shares of the limits that compasses use up."""
-
-    latitudes: FloatArray  # (n,), degrees
-    worse: float  # how many times worse the gyros of the last compass are
-    # (n,) each, by compass and by test, without unit: more than 1 fails; infinite if it never
-    # settles
-    shares: dict[str, dict[str, FloatArray]]
+LOW, HIGH = 3e-3, 300.0
+"""Least and largest share of a limit that is drawn as it is."""
 
 
 def type_tests(
@@ -77,7 +72,7 @@ def type_tests(
     damping: float = DAMPING,
     worse: float = WORSE,
     seed: int = 0,
-) -> TypeTests:
+) -> DataTable:
     """Put a compass without damping and three others to the tests at several latitudes."""
     checked_instance(compass, Gyrocompass, "compass")
     places = finite_array(latitudes, "latitudes")
@@ -88,4 +83,21 @@ def type_tests(
             for latitude in places
         ]
         shares[name] = {test: np.array([one[test] for one in found]) for test in LIMITS}
-    return TypeTests(np.degrees(places), worse, shares)
+    names, tests, at = zip(*product(shares, LIMITS, places), strict=True)
+    share = np.concatenate([each for of_tests in shares.values() for each in of_tests.values()])
+    return DataTable(
+        {
+            "compass": (names, "", "one of four"),
+            "test": (tests, "", "of the standards"),
+            "latitude": (np.array(at), "deg", "of the test"),
+            "share_of_limit": (
+                np.where(np.isinf(share), np.nan, share), "", "none if it never settles"
+            ),
+            "drawn_at": (np.clip(share, LOW, HIGH), "", "share within the limits of the plot"),
+        },
+        {
+            "latitudes": (places, "deg", "of the tests"),
+            "worse": (worse, "", "how many times worse the gyros of the last compass are"),
+            "shares": (shares, "", "by compass and test: more than 1 fails"),
+        },
+    )  # fmt: skip

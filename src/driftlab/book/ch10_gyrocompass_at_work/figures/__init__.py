@@ -1,7 +1,7 @@
 """The published figures of chapter 10, with their captions."""
 
 import numpy as np
-from scipy.constants import arcminute, degree, hour
+from scipy.constants import arcminute
 
 from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.publish import FigureDefinition, table_figure
@@ -42,14 +42,15 @@ def _settling_caption(data: DataTable) -> str:
     )
 
 
-def _pulses_caption(data: experiments.CountedPulses) -> str:
-    whole, read = (np.degrees(each.std()) for each in (data.by_whole, data.by_integrals))
+def _pulses_caption(data: DataTable) -> str:
+    whole, read = (np.degrees(each.std()) for each in (data.by_whole_rate, data.by_integrals))
     one = PUBLISHED["laser-gyro"]
     return (
         "A ring-laser unit on a parked car, its horizon damped as for levelling. One pulse of its "
-        f"accelerometers is {1000 * data.pulse:.1f} mm/s; through k1 that is, for one interval, "
-        f"{data.pulse_rate:.1f} times the Earth's rate. Read from the whole rate, the heading has "
-        f"a standard deviation of {whole:.0f} degrees; read from the integrals, of {read:.3f}. "
+        f"accelerometers is {1000 * data.pulse[0]:.1f} mm/s; through k1 that is, for one interval, "
+        f"{data.pulse_over_earth_rate[0]:.1f} times the Earth's rate. Read from the whole rate, "
+        f"the heading has a standard deviation of {whole:.0f} degrees; read from the integrals, "
+        f"of {read:.3f}. "
         f"Recording: {one.source} ({one.licence})."
     )
 
@@ -161,11 +162,11 @@ def _where(wanted: float, values: FloatArray, at: FloatArray, form: str) -> str:
     return f"{np.interp(wanted, values, at):{form}}"
 
 
-def _restarts_caption(data: experiments.Restarts) -> str:
+def _restarts_caption(data: DataTable) -> str:
     readings = experiments.spread_readings(data.ranges)
     taken, _, least, *_ = (probability for _, probability in readings.values())
-    averaged = data.deviations[:, 1] / (degree / hour)
-    weak, strong = (noise.white / (degree / hour) for noise in data.noises)
+    averaged = data.shown("deviations")[:, 1]
+    weak, strong = data.shown("white")
     return (
         "The paper's Fig. 2, simulated from its description; its own plot is lost. Left: one "
         f"series, with gyro noise of {weak:g} degrees per hour a sample, "
@@ -178,9 +179,9 @@ def _restarts_caption(data: experiments.Restarts) -> str:
     )
 
 
-def _type_tests_caption(data: experiments.TypeTests) -> str:
+def _type_tests_caption(data: DataTable) -> str:
     paper, by_log, alone, cheap = data.shares.values()
-    valid = np.abs(data.latitudes) <= type_tests.BEYOND
+    valid = np.abs(data.shown("latitudes")) <= type_tests.BEYOND
     valid |= not valid.any()
     worst = max(paper, key=lambda test: paper[test][valid].max())
     fails = paper[worst][~valid].max(initial=0.0) > 1
@@ -210,14 +211,12 @@ FIGURES = (
         most_off,
     ),
     table_figure("10-settling", experiments.settling_and_swing, settling.draw, _settling_caption),
-    FigureDefinition(
+    table_figure(
         "10-pulses",
         experiments.counted_pulses,
         pulses.draw,
-        pulses.columns,
         _pulses_caption,
-        pulses.restore,
-        ("laser-gyro",),
+        recordings=("laser-gyro",),
     ),
     FigureDefinition("10-block-diagram", lambda: None, block_diagram.draw, None, _block_caption),
     FigureDefinition(
@@ -233,9 +232,7 @@ FIGURES = (
         horizons.draw_ballistic,
         _ballistic_caption,
     ),
-    table_figure(
-        "10-damping", experiments.damping_at_sea, horizons.draw_damping, _damping_caption
-    ),
+    table_figure("10-damping", experiments.damping_at_sea, horizons.draw_damping, _damping_caption),
     table_figure(
         "10-operation",
         experiments.errors_under_way,
@@ -255,18 +252,6 @@ FIGURES = (
         static_characteristic.columns,
         _static_caption,
     ),
-    FigureDefinition(
-        "10-restarts",
-        experiments.restart_series,
-        restarts.draw,
-        restarts.columns,
-        _restarts_caption,
-    ),
-    FigureDefinition(
-        "10-would-it-pass",
-        experiments.type_tests,
-        type_tests.draw,
-        type_tests.columns,
-        _type_tests_caption,
-    ),
+    table_figure("10-restarts", experiments.restart_series, restarts.draw, _restarts_caption),
+    table_figure("10-would-it-pass", experiments.type_tests, type_tests.draw, _type_tests_caption),
 )

@@ -1,10 +1,8 @@
 """Shares of the marine standards' limits that compasses use up: over the latitude, and as bars."""
 
-from typing import Any
-
 import numpy as np
-from matplotlib.figure import Figure
 
+from driftlab.book.machinery.drawing import Drawing, from_table
 from driftlab.book.machinery.picture import (
     BLACK,
     BLUE,
@@ -12,47 +10,28 @@ from driftlab.book.machinery.picture import (
     SERIES,
     VERMILION,
     Picture,
-    in_style,
     legend_below_all,
 )
-from driftlab.book.machinery.sheet import Sheet
 from driftlab.gyrocompass.type_test_limits import LIMITS, TypeTest
 
-from ..experiments import TypeTests
+from ..experiments import HIGH, LOW
 
-LOW, HIGH = 3e-3, 300.0
 BEYOND = 70.0
 """Latitude, degrees, up to which A.821(19) sets its limits."""
 MARKERS = "os^vDPX*"
 
 
-def columns(data: TypeTests) -> dict[str, Any]:
-    """Columns of the figure's CSV: shares, none where it never settles, and what is drawn."""
-    rows = [
-        (compass, test, latitude, share)
-        for compass, tests in data.shares.items()
-        for test, shares in tests.items()
-        for latitude, share in zip(data.latitudes, shares, strict=True)
-    ]
-    compasses, tests, latitudes, shares = zip(*rows, strict=True)
-    return {
-        "compass": list(compasses),
-        "test": list(tests),
-        "latitude_deg": np.array(latitudes),
-        "share_of_limit": np.where(np.isinf(shares), np.nan, shares),
-        "drawn_at": np.clip(shares, LOW, HIGH),
-    }
-
-
-@in_style
-def draw(data: TypeTests, sheet: Sheet) -> Figure:
+@from_table
+def draw(drawing: Drawing) -> None:
     """One plot a compass; above one a test is failed."""
-    figure, panels = sheet.mosaic(
+    table, sheet = drawing.table, drawing.sheet
+    panels = drawing.mosaic(
         "ab;cd", (10.5, 6.6), (0.07, 0.15, 0.985, 0.95), spaces=(0.06, 0.16), page_height=5.2,
         column_height=8.4, sharex=True, sharey=True,
     )  # fmt: skip
-    ends = min(-2.0, data.latitudes.min() - 2), max(82.0, data.latitudes.max() + 2)
-    for panel, (compass, tests) in zip(panels.values(), data.shares.items(), strict=True):
+    latitudes = table.shown("latitudes")
+    ends = min(-2.0, latitudes.min() - 2), max(82.0, latitudes.max() + 2)
+    for panel, compass in zip(panels.values(), table.shares, strict=True):
         panel.set(title=compass, yscale="log", ylim=(LOW, HIGH), xlim=ends)
         panel.axhspan(1, HIGH, color="#f6e3da", zorder=0, label=GUIDE)
         panel.axhline(1, color=BLACK, linewidth=1.0, label=GUIDE)
@@ -60,17 +39,16 @@ def draw(data: TypeTests, sheet: Sheet) -> Figure:
         words = f"limits up to {BEYOND:g}°"
         panel.text(BEYOND - 1, 1.6 * LOW, words, ha="right",
                    fontsize="medium" if sheet.on_paper else 9)  # fmt: skip
-        for (test, shares), style, marker in zip(tests.items(), SERIES, MARKERS, strict=True):
-            panel.plot(data.latitudes, np.clip(shares, LOW, HIGH), **style, marker=marker,
-                       markersize=2.5 if sheet.on_paper else 4, label=test,
-                       clip_on=False)  # fmt: skip
+        for test, style, marker in zip(LIMITS, SERIES, MARKERS, strict=True):
+            drawing.curve(panel, "latitude", "drawn_at", where={"compass": compass, "test": test},
+                          **style, marker=marker, markersize=2.5 if sheet.on_paper else 4,
+                          label=test, clip_on=False)  # fmt: skip
     for letter in "d" if sheet.narrow else "cd":
         panels[letter].set(xlabel="latitude, degrees")
     for letter in "abcd" if sheet.narrow else "ac":
         panels[letter].set(ylabel="share of the limit")
         panels[letter].yaxis.set_major_formatter("{x:g}")
-    legend_below_all(figure, sheet, panels["a"], 4 if sheet.on_paper else 8)
-    return figure
+    legend_below_all(drawing.figure, sheet, panels["a"], 4 if sheet.on_paper else 8)
 
 
 class BarsPicture(Picture[TypeTest]):
