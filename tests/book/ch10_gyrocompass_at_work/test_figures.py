@@ -98,13 +98,16 @@ def test_the_shown_unit_follows_its_formula_within_the_noise_of_three_runs(
     data = figure.data
     noise = at_work.RANDOM / np.sqrt(dial.RUNS) / LEVEL_RATE
     low, high = chi_bounds(len(at_work.DIAL))
-    for name, runs in data.runs.items():
-        gap = runs.mean(axis=0) - data.formula[name]
+    for name in at_work.STOPS:
+        *runs, mean, formula = getattr(data, f"{name}_error")
+        gap = np.mean(runs, axis=0) - formula
+        np.testing.assert_array_equal(mean, np.mean(runs, axis=0))
         assert low < np.mean(gap**2) / noise**2 < high
         assert abs(gap.mean()) < 4.9 * noise / np.sqrt(len(gap))
-    assert largest(data.formula["heading"]) > 5 * noise
+    *_, mean, formula = data.heading_error
+    assert largest(formula) > 5 * noise
     # It is the unit whose largest error is nearest to the paper's.
-    worst = largest(data.runs["heading"].mean(axis=0))
+    worst = largest(mean)
     shown = data.by_drift[0, at_work.SHOWN]
     wanted = np.radians(at_work.PAPER_LARGEST)
     assert worst == shown[np.abs(shown - wanted).argmin()]
@@ -121,7 +124,8 @@ def test_the_error_of_the_paper_is_the_median_of_the_shown_drift(figure: Publish
         assert alone[0] < at_work.PAPER_LARGEST < alone[-1]
         assert with_pitch_and_roll[0] < at_work.PAPER_LARGEST < with_pitch_and_roll[-1]
     fits = []
-    for lasting, by_size in ((data.lasting, data.by_drift), (data.offsets, data.by_offset)):
+    for name, by_size in (("drift", data.by_drift), ("offset", data.by_offset)):
+        lasting = data.shown(f"lasting_{name}")
         for turned in np.degrees(by_size):
             low, high = np.quantile(turned, [0.1, 0.9], axis=-1)
             inside = lasting[(low < at_work.PAPER_LARGEST) & (high > at_work.PAPER_LARGEST)]

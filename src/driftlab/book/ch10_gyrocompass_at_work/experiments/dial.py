@@ -1,11 +1,12 @@
 """Plotnikov Fig. 1, simulated from its description: heading error on a table of three angles."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 from scipy.constants import arcminute, degree, g, hour, milli
 
+from driftlab.book.machinery.data_table import UNITS, DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, finite_array, whole_number
 from driftlab.frames import from_euler_angles
@@ -41,37 +42,10 @@ PAPER_LARGEST = 0.34
 """The paper's largest averaged error, degrees."""
 
 
-class StaticCharacteristic(NamedTuple):
-    """Heading errors of one unit on the table, and the largest errors of many."""
-
-    # (3, n) each, heading errors of the shown unit by the angle that turns, rad
-    runs: dict[str, FloatArray]
-    # (n,) each, what its lasting errors make of the heading to first order, and the table's own,
-    # rad
-    formula: dict[str, FloatArray]
-    lasting: FloatArray  # (m,), deviations of the drift that lasts, deg/h
-    offsets: FloatArray  # (m,), deviations of the offset that lasts, mg
-    shown: int  # index of the drift in `lasting` from which the unit is
-    # (2, m, units), largest errors of the averaged characteristic, rad: in the turns in heading
-    # alone, and in all three
-    by_drift: FloatArray
-    by_offset: FloatArray  # (2, m, units), likewise
-
-
-class DialTrial(NamedTuple):
-    """Many units, each on a table of its own."""
-
-    # (units, 3, n) each, of the heading, by the angle that turns, rad
-    errors: dict[str, FloatArray]
-    drift: FloatArray  # (units, 1, 1, 3), that lasts, rad/s
-    offset: FloatArray  # (units, 1, 1, 3), that lasts, m/s^2
-    north_error: FloatArray  # (units, 1, 1), of the table's zero, rad
-    tilt: FloatArray  # (units, 1, 1, 2), of the table about North and East, rad
-
-    def largest(self) -> FloatArray:
-        """Return largest errors (2, units) of the mean of the runs: in heading, in all turns."""
-        worst = [np.abs(each.mean(axis=1)).max(axis=-1) for each in self.errors.values()]
-        return np.array([worst[0], np.max(worst, axis=0)])
+TURNED = ("turns in heading", "turns in heading, pitch and roll")
+"""Over which turns the largest error is taken."""
+SHARES = (0.1, 0.5, 0.9)
+"""Of the units, whose largest errors are shown."""
 
 
 def dial_trial(
@@ -81,8 +55,8 @@ def dial_trial(
     rng: np.random.Generator,
     random: float = RANDOM,
     latitude: float = SARATOV_LATITUDE,
-) -> DialTrial:
-    """Turn units in heading, pitch and roll on tables with errors within the paper's limits.
+) -> DataTable:
+    """Turn units in heading, pitch and roll, each on a table with errors within the paper's limits.
 
     The drift has a lasting part and one that changes from stop to stop, rad/s; the offset lasts,
     m/s^2. The errors of a table are the same at all stops of one unit.
@@ -98,11 +72,24 @@ def dial_trial(
             dial, drift + noise, bias, latitude, pitch=pitch, roll=roll,
             north_error=north, tilt=tilt,
         )  # fmt: skip
-    return DialTrial(errors, drift, bias, north, tilt)
+    worst = [np.abs(each.mean(axis=1)).max(axis=-1) for each in errors.values()]
+    return DataTable(
+        {},
+        {
+            "errors": (errors, "deg", "of the heading, by angle that turns: (units, runs, stops)"),
+            "largest": (
+                np.array([worst[0], np.max(worst, axis=0)]), "deg", "error of the mean of the runs"
+            ),
+            "drift": (drift, "deg_per_h", "that lasts"),
+            "offset": (bias, "mg", "that lasts"),
+            "north_error": (north, "deg", "of the table's zero"),
+            "tilt": (tilt, "arcmin", "of the table about North and East"),
+        },
+    )  # fmt: skip
 
 
 def table_and_unit(
-    trial: DialTrial, unit: int, latitude: float = SARATOV_LATITUDE
+    trial: DataTable, unit: int, latitude: float = SARATOV_LATITUDE
 ) -> dict[str, FloatArray]:
     """Return the heading errors (n,) of one unit and its table to first order, by turn, rad."""
     expected = {}
@@ -126,7 +113,7 @@ def static_characteristic(
     random_drift: float = RANDOM,
     latitude: float = SARATOV_LATITUDE,
     seed: int = SEED,
-) -> StaticCharacteristic:
+) -> DataTable:
     """Turn many units on the table for each drift that lasts, and for each offset.
 
     The shown unit is of the drift of which the median is nearest to the paper's largest error, and
@@ -139,14 +126,42 @@ def static_characteristic(
         [dial_trial(drift, bias, units, rng, random_drift, latitude) for drift, bias in sizes]
         for sizes in ([(float(s), 0.0) for s in drifts], [(0.0, float(s)) for s in offsets])
     )
-    medians = [np.degrees(np.median(trial.largest()[0])) for trial in drifting]
-    shown = int(np.abs(np.array(medians) - PAPER_LARGEST).argmin())
-    unit = int(np.abs(np.degrees(drifting[shown].largest()[0]) - PAPER_LARGEST).argmin())
-    return StaticCharacteristic(
-        {name: errors[unit] for name, errors in drifting[shown].errors.items()},
-        table_and_unit(drifting[shown], unit, latitude),
-        drifts / (degree / hour),
-        offsets / (milli * g),
-        shown,
-        *(np.stack([trial.largest() for trial in each], axis=1) for each in (drifting, offset)),
+    by_drift, by_offset = (
+        np.stack([trial.largest for trial in each], axis=1) for each in (drifting, offset)
     )
+    medians = np.degrees(np.median(by_drift[0], axis=-1))
+    shown = int(np.abs(medians - PAPER_LARGEST).argmin())
+    unit = int(np.abs(np.degrees(by_drift[0, shown]) - PAPER_LARGEST).argmin())
+    formula = table_and_unit(drifting[shown], unit, latitude)
+    columns: dict[str, tuple[Any, ...]] = {}
+    for i, (name, stops) in enumerate(STOPS.items()):
+        runs = drifting[shown].errors[name][unit]
+        rows = [*runs, runs.mean(axis=0), formula[name]]
+        names = [*(f"run {k}" for k in range(1, RUNS + 1)), "mean", "formula"]
+        columns[f"{name}_stop"] = (stops[i], "deg", f"{name} of the table", (), 6)
+        columns[f"{name}_error"] = (rows, "deg", "heading error of one unit there", names)
+    for name, unit_shown, sizes, errors in (
+        ("drift", "deg_per_h", drifts, by_drift),
+        ("offset", "mg", offsets, by_offset),
+    ):
+        step = sizes[1] - sizes[0] if len(sizes) > 1 else UNITS[unit_shown][0]
+        columns[f"lasting_{name}"] = (sizes, unit_shown, "standard deviation over the units")
+        for turned, aside, largest in zip(TURNED, (-0.1, 0.1), errors, strict=True):
+            quantiles, names = np.quantile(largest, SHARES, axis=-1), [f"{x:.0%}" for x in SHARES]
+            at = sizes + aside * step
+            columns[f"{name}_drawn_at, {turned}"] = (at, unit_shown, "both kinds side by side")
+            columns[f"largest_by_{name}, {turned}"] = (
+                quantiles,
+                "deg",
+                "largest error of units, not exceeded by a share of them",
+                names,
+            )
+    columns["paper_largest_error"] = ([np.radians(PAPER_LARGEST)], "deg", "of the paper")
+    return DataTable(
+        columns,
+        {
+            "shown_drift": (drifts[shown], "deg_per_h", "drift from which the one unit is"),
+            "by_drift": (by_drift, "deg", "largest errors of all units, for both kinds of turns"),
+            "by_offset": (by_offset, "deg", "likewise"),
+        },
+    )  # fmt: skip

@@ -133,14 +133,13 @@ def _formula_caption(data: DataTable) -> str:
     )
 
 
-def _static_caption(data: experiments.StaticCharacteristic) -> str:
-    kinds = ((data.lasting, data.by_drift, ".3f"), (data.offsets, data.by_offset, ".1f"))
+def _static_caption(data: DataTable) -> str:
     drift, offset = (
-        [_where(experiments.PAPER_LARGEST, middle, lasting, form) for middle in middles]
-        for lasting, middles, form in (
-            (lasting, np.degrees(np.median(largest, axis=-1)), form)
-            for lasting, largest, form in kinds
-        )
+        [
+            _where(experiments.PAPER_LARGEST, middle, data.shown(f"lasting_{name}"), form)
+            for middle in np.degrees(np.median(getattr(data, f"by_{name}"), axis=-1))
+        ]
+        for name, form in (("drift", ".3f"), ("offset", ".1f"))
     )
     return (
         "The paper's Fig. 1, simulated from its description; its own plot is lost. Above: one "
@@ -245,11 +244,10 @@ FIGURES = (
         operating_formula.draw,
         _formula_caption,
     ),
-    FigureDefinition(
+    table_figure(
         "10-static-characteristic",
         experiments.static_characteristic,
         static_characteristic.draw,
-        static_characteristic.columns,
         _static_caption,
     ),
     table_figure("10-restarts", experiments.restart_series, restarts.draw, _restarts_caption),
