@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from driftlab.book.ch10_gyrocompass_at_work import experiments as at_work
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.earth import EARTH_RATE
 from published import published
@@ -14,7 +13,7 @@ VERTICAL_RATE = EARTH_RATE * np.sin(LATITUDE)
 
 @published("10-frequency-response")
 def test_the_compass_answers_waves_as_the_loop_says(figure: PublishedFigure) -> None:
-    for disturbance, parts in at_work.gain_and_lead(figure.data).items():
+    for disturbance, parts in figure.data.gain_and_lead.items():
         # The coupling by the Earth's turn, (U sin(latitude)/2 zeta ws)^2, and the Coriolis force.
         coupling = (VERTICAL_RATE / SCHULER) ** 2
         to_and_fro = 0.02 if disturbance == "acceleration" else 0.0

@@ -18,13 +18,12 @@ from .loop import (
     DAY,
     DISTURBANCES,
     DRIVEN,
+    GAINS,
     SWELL,
-    FrequencyResponse,
     damped_loop,
     driven_compass,
     four_loops,
     frequency_response,
-    gain_and_lead,
 )
 from .pendulum import Pendulum, schuler_pendulum
 from .pulses import BEFORE, QUIET, counted_pulses
@@ -87,6 +86,7 @@ __all__ = [
     "DISTURBANCES",
     "DRIVEN",
     "FREQUENCY",
+    "GAINS",
     "GYRO_BIAS",
     "HIGH",
     "LASTING",
@@ -118,7 +118,6 @@ __all__ = [
     "WAKE_POINTS",
     "WORKING",
     "WORSE",
-    "FrequencyResponse",
     "Pendulum",
     "ShipWithCompass",
     "ballistic_errors",
@@ -131,7 +130,6 @@ __all__ = [
     "errors_under_way",
     "four_loops",
     "frequency_response",
-    "gain_and_lead",
     "operating_formula",
     "restart_series",
     "rounded_ratio_range",

@@ -1,17 +1,18 @@
 """The levelling loop, frequency by frequency: its transfer functions, and the compass itself."""
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.constants import hour, minute
+from scipy.constants import degree, hour, minute
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE, SCHULER_PERIOD
 from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.gains import damped_gains, schuler_gains
-from driftlab.gyrocompass.levelling_loop import LevelLoop, LoopResponse, level_loop
+from driftlab.gyrocompass.levelling_loop import LevelLoop, level_loop
 from driftlab.gyrocompass.simulation import simulate_compass
 from driftlab.motion.vehicle import vehicle_trajectory
 
@@ -26,19 +27,14 @@ DRIVEN = (SWELL, 10 * minute, SCHULER_PERIOD, 6 * hour)
 """Periods at which the compass itself is driven, s."""
 
 
-class FrequencyResponse(NamedTuple):
-    """Gains and phases of the loops, and of a simulated compass with damping."""
-
-    latitude: float  # rad
-    damping: float  # damping ratio
-    # undamped, damped, damped with a log, and that of accelerated alignment
-    loops: dict[str, LevelLoop]
-    periods: FloatArray  # (n,), s
-    # by disturbance and loop, each (n,); without those that are zero
-    curves: dict[str, dict[str, LoopResponse]]
-    driven_periods: FloatArray  # (m,), s
-    # (2, m) each, tilt and rate for a unit of each disturbance, complex, from `simulate_compass`
-    driven: dict[str, NDArray[np.complex128]]
+GAINS = {
+    "tilt, by 0.01 m/s² of acceleration": ("acceleration", "tilt", 0.01),
+    "heading, by 0.01 m/s² of acceleration": ("acceleration", "rate", 0.01),
+    "heading, by 0.01 °/h of drift": ("gyro_bias", "rate", 0.01 * degree / hour),
+    "heading, by 0.1 m/s of the log": ("log_error", "rate", 0.1),
+    "heading, by 0.01 m/s² of offset": ("accelerometer_bias", "rate", 0.01),
+}
+"""What is shown: of which disturbance, which part of the response, and for which size."""
 
 
 def four_loops(
@@ -66,18 +62,12 @@ def frequency_response(
     damping: float = DAMPING,
     frequency: float = FREQUENCY,
     driven_periods: Sequence[float] = DRIVEN,
-) -> FrequencyResponse:
+) -> DataTable:
     """Return the responses of four loops, and those of the compass at a few periods."""
     damping = positive_number(damping, "damping")
     driven_at = finite_array(driven_periods, "driven_periods")
     loops = four_loops(latitude, damping, frequency)
     periods = np.geomspace(2 * DAY, 3.0, 241)
-    curves: dict[str, dict[str, LoopResponse]] = {}
-    for disturbance in DISTURBANCES:
-        answers = {
-            name: getattr(loop, disturbance)(2 * np.pi / periods) for name, loop in loops.items()
-        }
-        curves[disturbance] = {name: each for name, each in answers.items() if each.rate.any()}
     driven = {
         disturbance: np.transpose(
             [
@@ -87,7 +77,52 @@ def frequency_response(
         )
         for disturbance in DISTURBANCES
     }
-    return FrequencyResponse(latitude, damping, loops, periods, curves, driven_at, driven)
+    swing = np.sqrt(gravity(latitude) / EARTH_RADIUS)
+    poles = np.array([loop.poles() for loop in loops.values()]) / swing
+    upper, lower = next(iter(loops.values())).poles(EARTH_RATE * np.sin(latitude))
+    columns: dict[str, tuple[Any, ...]] = {
+        "loop": ([name for name in loops for _ in range(2)], "", "of each pole"),
+        "pole_real": (poles.real.ravel(), "", "over Schuler's frequency"),
+        "pole_imaginary": (poles.imag.ravel(), "", "over Schuler's frequency"),
+        "undamped_pole_on_the_turning_earth_real": (np.zeros(2), "", "likewise"),
+        "undamped_pole_on_the_turning_earth": (
+            np.array([upper.imag, -lower.imag]) / swing, "", "likewise, size of imaginary part"
+        ),
+        "period": (periods, "s", "of a disturbance"),
+        "driven_period": (driven_at, "s", "with which the compass is driven"),
+    }  # fmt: skip
+    answering = {}
+    level = EARTH_RATE * np.cos(latitude)
+    for name, (disturbance, part, size) in GAINS.items():
+        answers = {
+            loop: getattr(each, disturbance)(2 * np.pi / periods) for loop, each in loops.items()
+        }
+        answering[name] = [loop for loop, answer in answers.items() if answer.rate.any()]
+        unit, scale = ("arcmin", size) if part == "tilt" else ("deg", size / level)
+        for loop in answering[name]:
+            values = scale * getattr(answers[loop], part)
+            columns[f"{name}, {loop}"] = (np.abs(values), unit, "amplitude")
+            columns[f"phase, {name}, {loop}"] = (np.angle(values), "deg", "its lead", (), 4)
+        if disturbance == "accelerometer_bias":
+            # The whole rate is that of the tilt: nothing else turns the horizon.
+            for loop, answer in answers.items():
+                if not loops[loop].log:
+                    values = scale * 2 * np.pi / periods * np.abs(answer.tilt)
+                    columns[f"{name}, whole rate, {loop}"] = (values, unit, "in the whole rate")
+        seen = scale * np.abs(driven[disturbance][0 if part == "tilt" else 1])
+        columns[f"{name}, simulated"] = (seen, unit, "amplitude of the driven compass")
+    return DataTable(
+        columns,
+        {
+            "loops": (loops, "", "undamped, damped, with a log, and for accelerated alignment"),
+            "answering": (answering, "", "loops that each disturbance moves"),
+            "driven": (driven, "", "tilt and rate of the compass for a unit, complex"),
+            "gain_and_lead": (
+                _gain_and_lead(driven, driven_at, loops), "",
+                "simulated over derived response: gains less 1 and leads, of tilt and rate",
+            ),
+        },
+    )  # fmt: skip
 
 
 def driven_compass(
@@ -139,17 +174,21 @@ def _wave_in(
     return np.asarray(sine + 1j * cosine)
 
 
-def gain_and_lead(data: FrequencyResponse) -> dict[str, FloatArray]:
+def _gain_and_lead(
+    driven: Mapping[str, NDArray[np.complex128]],
+    periods: FloatArray,
+    loops: Mapping[str, LevelLoop],
+) -> dict[str, FloatArray]:
     """Simulated over derived response, by disturbance: (2, 2, m) gains less 1 and leads.
 
     For tilt and rate, leads in rad; NaN where the derived response is zero.
     """
     compared = {}
-    for disturbance, driven in data.driven.items():
-        answer = getattr(damped_loop(disturbance, data.loops), disturbance)
-        known = np.stack(answer(2 * np.pi / data.driven_periods))
+    for disturbance, seen in driven.items():
+        answer = getattr(damped_loop(disturbance, loops), disturbance)
+        known = np.stack(answer(2 * np.pi / periods))
         # At Schuler's frequency a log's error passes to 1e-16 or so, which is nothing.
         passing = np.abs(known) > 1e-9 * np.abs(known).max(axis=-1, keepdims=True)
-        ratio = np.divide(driven, known, out=np.full_like(known, np.nan), where=passing)
+        ratio = np.divide(seen, known, out=np.full_like(known, np.nan), where=passing)
         compared[disturbance] = np.stack([np.abs(ratio) - 1, np.angle(ratio)], axis=1)
     return compared

@@ -64,9 +64,8 @@ def _block_caption(_: object) -> str:
     )
 
 
-def _response_caption(data: experiments.FrequencyResponse) -> str:
-    compared = experiments.gain_and_lead(data).values()
-    gap = max(float(np.nanmax(np.abs(each[:, 0]))) for each in compared)
+def _response_caption(data: DataTable) -> str:
+    gap = max(float(np.nanmax(np.abs(each[:, 0]))) for each in data.gain_and_lead.values())
     return (
         "Above left: the poles; on the turning Earth the undamped pair splits. Then gains over the "
         "period, from two days on the left to some seconds. Schuler's tuning, and a damped horizon "
@@ -218,11 +217,10 @@ FIGURES = (
         recordings=("laser-gyro",),
     ),
     FigureDefinition("10-block-diagram", lambda: None, block_diagram.draw, None, _block_caption),
-    FigureDefinition(
+    table_figure(
         "10-frequency-response",
         experiments.frequency_response,
         frequency_response.draw,
-        frequency_response.columns,
         _response_caption,
     ),
     table_figure(
