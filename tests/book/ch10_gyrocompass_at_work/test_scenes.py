@@ -90,7 +90,7 @@ def test_the_ship_has_the_numbers_of_the_panel() -> None:
 
 def test_the_first_preset_is_the_puzzle() -> None:
     scene = opened(ShipUnderWay)
-    run, *_ = scene.compute(scene.values)
+    run = scene.compute(scene.values)
     after = np.searchsorted(run.times, sum(SPEED_UP))
     found = np.abs(run.tilt[after]).max() / arcminute, abs(np.degrees(run.shown_error[after]))
     assert np.allclose(found, after_gathering_way(), rtol=1e-12)
@@ -114,8 +114,8 @@ def test_the_wake_is_where_the_ship_was() -> None:
 def test_the_ghost_is_turned_and_tilted_by_the_errors() -> None:
     scene = opened(ShipUnderWay)
     scene.preset.value = "A voyage"
-    data = scene.compute(scene.values)
-    stage, run = scene.view.stage(data), data[0]
+    run = scene.compute(scene.values)
+    stage = scene.view.stage(run)
     x, y, _ = rotate(stage.tracks["ghost"], [0.0, 1.0, 0.0]).T
     # To the East of the true North by what the heading is too large; the tilt adds a little.
     assert largest(np.arctan2(x, y) - HEADING_FACTOR * run.shown_error) < np.radians(2)

@@ -8,7 +8,6 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 from scipy.constants import arcminute, arcsecond, minute
 
-from driftlab.book.ch10_gyrocompass_at_work.experiments import ShipWithCompass
 from driftlab.book.ch10_gyrocompass_at_work.scenes.ship import (
     CARD,
     SEA,
@@ -21,6 +20,7 @@ from driftlab.book.ch10_gyrocompass_at_work.scenes.ship import (
     wake_points,
 )
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import box, compass_card, pin, raised, sea, ship
@@ -51,7 +51,7 @@ TO_SCENE = [2, 0, 1]
 class TurningShipData(NamedTuple):
     """The voyage, the gyros as they are, what the computer knows of them, and the ship's turn."""
 
-    run: ShipWithCompass
+    run: DataTable
     bent: FloatArray
     known: FloatArray
     turn: float
@@ -71,7 +71,7 @@ class TurningShipView(SceneView):
             time_unit="min",
             seconds=10.0,
             tracks={
-                "ship": about_up(run.heading),
+                "ship": about_up(run.true_heading),
                 "ghost": shown_axes(run.tilt, run.shown_error, factors),
             },
             views=(
@@ -174,11 +174,11 @@ class TurningShip(SceneExplorer):
         bent, latitude = bent_of(values), float(np.radians(values["latitude"]))
         left = left_over(bent, values["stage"])
         turn = float(np.radians(values["turn"]))
-        run = turning_ship(left, speed=values["speed"], turn=turn, latitude=latitude)
-        begin = np.searchsorted(run.times, TURN[0] - BEFORE)
+        seen = (TURN[0] - BEFORE, np.inf, STEP)
+        run = turning_ship(left, speed=values["speed"], turn=turn, latitude=latitude, seen=seen)
         east_speed = -values["speed"] * np.sin(turn)
         return TurningShipData(
-            run.at(slice(begin, None, STEP)), bent, bent - left, turn,
+            run, bent, bent - left, turn,
             swing_factor(latitude, float(east_speed)),
         )  # fmt: skip
 

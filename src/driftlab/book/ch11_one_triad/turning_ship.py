@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from driftlab.book.ch10_gyrocompass_at_work.experiments import ShipWithCompass, ship_with_compass
+from driftlab.book.ch10_gyrocompass_at_work.experiments import ship_with_compass
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, ship_manoeuvre
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
@@ -16,14 +17,16 @@ def turning_ship(
     speed: float = 0.0,
     turn: float = QUARTER_TURN,
     latitude: float = SARATOV_LATITUDE,
-) -> ShipWithCompass:
+    seen: tuple[float, float, int] = (0.0, np.inf, 1),
+) -> DataTable:
     """Turn a ship whose compass has a log and does not know the error matrix of its gyros.
 
-    The matrix is in body axes forward, up, right.
+    The matrix is in body axes forward, up, right. Seen is a part of the voyage, as in
+    `ship_with_compass`.
     """
     way = ship_manoeuvre(latitude, speed, turn=turn)
     gyro_bias = way.increments.mean_rate @ gyro_error.T
-    return ship_with_compass(speed, 0.0, turn, gyro_bias, log=True, latitude=latitude)
+    return ship_with_compass(speed, 0.0, turn, gyro_bias, log=True, latitude=latitude, seen=seen)
 
 
 def swing_factor(latitude: float = SARATOV_LATITUDE, east_speed: float = 0.0) -> float:

@@ -25,7 +25,7 @@ from .loop import (
     four_loops,
     frequency_response,
 )
-from .pendulum import Pendulum, schuler_pendulum
+from .pendulum import schuler_pendulum
 from .pulses import BEFORE, QUIET, counted_pulses
 from .restarts import (
     PAPER_DEVIATION,
@@ -45,7 +45,7 @@ from .settling import (
     WORKING,
     settling_and_swing,
 )
-from .ship import WAKE, WAKE_POINTS, ShipWithCompass, ship_with_compass
+from .ship import WAKE, WAKE_POINTS, ship_with_compass
 from .type_tests import (
     CHEAP_COMPASS,
     COMPASSES,
@@ -118,8 +118,6 @@ __all__ = [
     "WAKE_POINTS",
     "WORKING",
     "WORSE",
-    "Pendulum",
-    "ShipWithCompass",
     "ballistic_errors",
     "counted_pulses",
     "damped_loop",

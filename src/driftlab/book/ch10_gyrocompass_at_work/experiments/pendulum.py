@@ -1,11 +1,9 @@
 """Schuler's pendulum: a level platform that is tilted and left alone, or set on its way."""
 
-from typing import NamedTuple
-
 import numpy as np
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE, ship_manoeuvre
-from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RADIUS
 from driftlab.gyrocompass.simulation import simulate_compass
 
@@ -13,23 +11,9 @@ EVERY = 6
 """Of so many steps of the simulation one is kept."""
 
 
-class Pendulum(NamedTuple):
-    """A platform in the plane of the meridian, at n times."""
-
-    times: FloatArray  # (n,), s
-    length: float  # of the pendulum that swings as the platform does, m
-    start: float  # tilt with which it was left alone, rad
-    tilt: FloatArray  # (n, 2), about North and about East, rad
-    way: FloatArray  # (n,), true way to the North, m
-    # (n,), of the velocity to the North that the platform's own turn tells, m/s
-    velocity_error: FloatArray
-    place_error: FloatArray  # (n,), of the way to the North, likewise, m
-    heading_error: FloatArray  # (n,), of a compass that finds North by the platform's turn, rad
-
-
 def schuler_pendulum(
     tilt: float, *, speed: float = 0.0, tuning_factor: float = 1.0, damping: float = 0.0
-) -> Pendulum:
+) -> DataTable:
     """Tilt a platform about East, and let it swing while its ship lies still or goes to the North.
 
     A platform that stays level turns about East by the velocity over R. So its turn tells a
@@ -40,15 +24,27 @@ def schuler_pendulum(
     run = simulate_compass(
         way, np.zeros(3), tuning_factor=tuning_factor, damping=damping, tilt=tilt, log=True
     )
-    east_tilt = run.tilt[:, 1]
-    shown = slice(None, None, EVERY)
-    return Pendulum(
-        run.times[shown],
-        EARTH_RADIUS / tuning_factor,
-        tilt,
-        run.tilt[shown],
-        EARTH_RADIUS * (way.latitude[1:] - way.latitude[0])[shown],
-        -EARTH_RADIUS * np.gradient(east_tilt, way.increments.interval)[shown],
-        -EARTH_RADIUS * (east_tilt - tilt)[shown],
-        run.heading_error[shown],
-    )
+    east_tilt, seen = run.tilt[:, 1], slice(None, None, EVERY)
+    tilts, heading_error = run.tilt[seen], run.heading_error[seen]
+    velocity_error = -EARTH_RADIUS * np.gradient(east_tilt, way.increments.interval)[seen]
+    place_error = -EARTH_RADIUS * (east_tilt - tilt)[seen]
+    return DataTable(
+        {
+            "times": (run.times[seen], "min", "since the start"),
+            "way": (EARTH_RADIUS * (way.latitude[1:] - way.latitude[0])[seen], "nmi", "to North"),
+            "velocity_error": (velocity_error, "m_per_s", "of the North velocity that it tells"),
+            "place_error": (place_error, "nmi", "of the way to the North that it tells"),
+            "heading_error": (heading_error, "deg", "of a compass that reads its turn"),
+        },
+        {
+            "tilt": (tilts, "arcmin", "about North and about East"),
+            "start": (tilt, "arcmin", "tilt with which it is left alone"),
+            "length": (EARTH_RADIUS / tuning_factor, "km", "of a pendulum that swings as it does"),
+            "most_tilt": (np.hypot(*tilts.T).max(), "arcmin", "then out of level by up to"),
+            "most_place_error": (np.abs(place_error).max(), "nmi", "way told, off by up to"),
+            "most_velocity_error": (
+                np.abs(velocity_error).max(), "m_per_s", "velocity told, off by up to"
+            ),
+            "most_heading_error": (np.abs(heading_error).max(), "deg", "heading, off by up to"),
+        },
+    )  # fmt: skip

@@ -1,9 +1,8 @@
 """A ship with its compass on board, as one sees it: course, wake, plumb line, horizon and North."""
 
-from typing import NamedTuple
-
 import numpy as np
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE, ship_manoeuvre
 from driftlab.checks import FloatArray
 from driftlab.frames import to_euler_angles
@@ -17,28 +16,6 @@ WAKE_POINTS = 16
 """Places on the wake, the ship's own the first."""
 
 
-class ShipWithCompass(NamedTuple):
-    """A ship and its compass at n times."""
-
-    times: FloatArray  # (n,), s
-    heading: FloatArray  # (n,), true, rad, positive from North to West
-    # (n, 16, 2), where the ship was in the last five minutes, to the North and East of where it is,
-    # m
-    wake: FloatArray
-    # (n, 2), level part of the specific force over its part upwards, North and East: by how much
-    # the plumb line's Up leans
-    lean: FloatArray
-    tilt: FloatArray  # (n, 2), of the compass's horizon about North and about East, rad
-    speed_error: FloatArray  # (n,), what the ship's own way makes of North, rad
-    # (n,), error of the heading that the compass shows, rad: with the speed error, unless a log
-    # lets the compass subtract it
-    shown_error: FloatArray
-
-    def at(self, moments: slice) -> "ShipWithCompass":
-        """Return the same at some of the times."""
-        return ShipWithCompass(*(part[moments] for part in self))
-
-
 def ship_with_compass(
     speed: float,
     course: float,
@@ -47,19 +24,42 @@ def ship_with_compass(
     *,
     log: bool = False,
     latitude: float = SARATOV_LATITUDE,
-) -> ShipWithCompass:
-    """Sail the voyage of `ship_manoeuvre` with a compass on board."""
+    seen: tuple[float, float, int] = (0.0, np.inf, 1),
+) -> DataTable:
+    """Sail the voyage of `ship_manoeuvre` with a compass on board.
+
+    Seen are moments from one time to another, s, and of so many steps only one.
+    """
     way = ship_manoeuvre(latitude, speed, course, turn)
     run = simulate_compass(way, gyro_bias, log=log)
-    return ShipWithCompass(
-        run.times,
-        np.unwrap(to_euler_angles(way.attitude[1:]).heading),
-        _wake(way),
-        _lean(way),
-        run.tilt,
-        run.speed_error,
-        run.heading_error if log else run.heading_error + run.speed_error,
-    )
+    begin, end = np.searchsorted(run.times, seen[:2])
+    at = slice(begin, end, seen[2])
+    heading = np.unwrap(to_euler_angles(way.attitude[1:]).heading)
+    # A log lets the compass subtract the speed error.
+    shown = (run.heading_error if log else run.heading_error + run.speed_error)[at]
+    own, tilt, lean = run.speed_error[at], run.tilt[at], _lean(way)[at]
+    plumb_line = np.hypot(*np.arctan(lean).T)
+    return DataTable(
+        {
+            "times": (run.times[at], "min", "since the start"),
+            "true_heading": (heading[at], "deg", "positive from North to West"),
+            "speed_error": (own, "deg", "what the ship's own way makes of North"),
+            "shown_error": (shown, "deg", "of the heading that the compass shows"),
+        },
+        {
+            "course": (course, "deg", "of the bow, from North to West"),
+            "turn": (turn, "deg", "of the ship after it"),
+            "wake": (_wake(way)[at], "m", "where the ship was, to North and East of where it is"),
+            "lean": (lean, "", "level specific force, North and East, over its part upwards"),
+            "tilt": (tilt, "arcmin", "of the compass's horizon about North and East"),
+            "most_shown_error": (np.abs(shown).max(), "deg", "heading shown is off by up to"),
+            "most_speed_error": (
+                np.abs(own).max(), "deg", "the ship's own way alone makes up to"
+            ),
+            "most_tilt": (np.hypot(*tilt.T).max(), "arcmin", "horizon"),
+            "most_lean": (plumb_line.max(), "arcmin", "plumb line"),
+        },
+    )  # fmt: skip
 
 
 def _wake(way: Trajectory) -> FloatArray:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import ClassVar
 
 import numpy as np
-from scipy.constants import arcminute, minute, nautical_mile
+from scipy.constants import arcminute
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import arrow, box, circle
@@ -18,12 +19,8 @@ from driftlab.book.scenarios import DURATION, SCHULER_PERIOD, SPEED
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RADIUS
 
-from ..experiments import (
-    DAMPING,
-    Pendulum,
-    schuler_pendulum,
-)
-from .ship import leaning, size
+from ..experiments import DAMPING, schuler_pendulum
+from .ship import leaning
 
 PLATFORM_FACTOR, WAY_FACTOR = 1000, 60
 """How many times too large the platform's tilt and the ship's way round the Earth are drawn."""
@@ -34,11 +31,11 @@ EARTH, UPRIGHT = 1.2, 0.95
 class PendulumView(SceneView):
     """The Earth seen from the East, a platform on it, and the pendulum that swings as it does."""
 
-    def stage(self, data: Pendulum) -> Stage:
-        tilt, miles = data.tilt / arcminute, data.place_error / nautical_mile
+    def stage(self, data: DataTable) -> Stage:
+        tilt, miles = data.shown("tilt"), data.shown("place_error")
         whole = np.flatnonzero(np.diff(data.times // SCHULER_PERIOD)) + 1
         return Stage(
-            times=data.times / minute,
+            times=data.shown("times"),
             time_unit="min",
             seconds=8.0 * DURATION / SCHULER_PERIOD,
             tracks={"platform": leaning(PLATFORM_FACTOR * data.tilt)},
@@ -71,12 +68,12 @@ class PendulumView(SceneView):
                 Readout("tilt about East", tilt[:, 1], 2, "′"),
                 Readout("way told, off by", miles, 2, " nmi"),
                 Readout("velocity told, off by", data.velocity_error, 2, " m/s"),
-                Readout("heading, off by", np.degrees(data.heading_error), 2, "°"),
+                Readout("heading, off by", data.shown("heading_error"), 2, "°"),
             ),
         )
 
 
-def earth_parts(data: Pendulum) -> tuple[Part, ...]:
+def earth_parts(data: DataTable) -> tuple[Part, ...]:
     """The Earth below the platform: it rolls back as the ship goes on, and the harbour with it."""
     centre = np.array([0.0, 0.0, -EARTH])
     angle = WAY_FACTOR * data.way / EARTH_RADIUS
@@ -92,7 +89,7 @@ def earth_parts(data: Pendulum) -> tuple[Part, ...]:
     )
 
 
-def platform_parts(data: Pendulum) -> tuple[Part, ...]:
+def platform_parts(data: DataTable) -> tuple[Part, ...]:
     """The platform, what it takes for Up, its pendulum, and a handle for the tilt at the start."""
     bob = np.array([0.0, 0.0, -EARTH * data.length / EARTH_RADIUS])
     angle = PLATFORM_FACTOR * data.start
@@ -131,7 +128,7 @@ class SchulerPendulum(SceneExplorer):
         "On its way, too short": "A pendulum half as long. Who is left behind now?",
     }
 
-    def compute(self, values: Values) -> Pendulum:
+    def compute(self, values: Values) -> DataTable:
         return schuler_pendulum(
             values["tilt"] * arcminute,
             speed=values["speed"],
@@ -143,17 +140,15 @@ class SchulerPendulum(SceneExplorer):
         angle = float(np.arctan2(-direction[1], direction[2]))
         return {"tilt": angle / PLATFORM_FACTOR / arcminute}
 
-    def numbers(self, data: Pendulum) -> Results:
-        largest = np.degrees(np.abs(data.heading_error).max())
+    def numbers(self, table: DataTable) -> Results:
         return Results(
-            ("then out of level by up to", f"{size(data.tilt).max() / arcminute:.3f}′"),
+            table.row("most_tilt", ".3f"),
             [
-                ("way told, off by up to",
-                 f"{np.abs(data.place_error).max() / nautical_mile:.3f} nautical miles"),
-                ("velocity told, off by up to", f"{np.abs(data.velocity_error).max():.3f} m/s"),
-                ("heading, off by up to", f"{largest:.4f}°"),
+                table.row("most_place_error", ".3f"),
+                table.row("most_velocity_error", ".3f"),
+                table.row("most_heading_error", ".4f"),
             ],
-        )  # fmt: skip
+        )
 
     def call(self, values: Values) -> str:
         return (

@@ -6,25 +6,21 @@ from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.constants import arcminute, minute
+from scipy.constants import arcminute, hour, minute
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import arrow, compass_card, raised, sea, ship
 from driftlab.book.machinery.scene.spans import reach
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
-from driftlab.book.machinery.units import degrees_text
 from driftlab.book.scenarios import SARATOV_LATITUDE, SPEED, SPEED_UP, TURN
 from driftlab.checks import FloatArray, finite_array
 from driftlab.quaternion import from_rotation_vector, multiply
 
-from ..experiments import (
-    GYRO_BIAS,
-    ShipWithCompass,
-    ship_with_compass,
-)
+from ..experiments import GYRO_BIAS, ship_with_compass
 
 TILT_FACTOR, HEADING_FACTOR, LEAN_FACTOR = 1000, 15, 20
 """How many times too large the horizon's tilt, the heading's error and the plumb line are drawn."""
@@ -45,14 +41,13 @@ WINDOWS = {
 class ShipUnderWayView(SceneView):
     """The ship, the plumb line on board, and the horizon and the North that its compass shows."""
 
-    def stage(self, data: tuple[ShipWithCompass, float, float, bool]) -> Stage:
-        run, course, turn, is_whole = data
+    def stage(self, run: DataTable) -> Stage:
         return Stage(
-            times=run.times / minute,
+            times=run.shown("times"),
             time_unit="min",
             seconds=10.0,
             tracks={
-                "ship": about_up(run.heading),
+                "ship": about_up(run.true_heading),
                 "ghost": shown_axes(run.tilt, run.shown_error, (TILT_FACTOR, HEADING_FACTOR)),
             },
             views=(
@@ -62,8 +57,8 @@ class ShipUnderWayView(SceneView):
                     (
                         *sea(SEA),
                         *compass_card(CARD, "edge"),
-                        *turn_shown(course, turn),
-                        *course_handles(course, turn),
+                        *turn_shown(run.course, run.turn),
+                        *course_handles(run.course, run.turn),
                         Part("line", wake_points(run), "rate"),
                         *ship("ship"),
                         *shown_compass("ghost"),
@@ -74,10 +69,10 @@ class ShipUnderWayView(SceneView):
                     reach=1.85,
                 ),
             ),
-            plots=(tilt_plot(run, is_whole), heading_plot(run)),
+            plots=(tilt_plot(run), heading_plot(run)),
             readouts=(
-                Readout("heading shown is off by", np.degrees(run.shown_error), 3, "°"),
-                Readout("the ship's own way makes", np.degrees(run.speed_error), 3, "°"),
+                Readout("heading shown is off by", run.shown("shown_error"), 3, "°"),
+                Readout("the ship's own way makes", run.shown("speed_error"), 3, "°"),
                 Readout("horizon is off by", size(run.tilt) / arcminute, 3, "′"),
                 Readout("plumb line is off by", size(np.arctan(run.lean)) / arcminute, 1, "′"),
             ),
@@ -155,7 +150,7 @@ def dragged_course(values: Values, handle: str, direction: FloatArray) -> Values
     return {"turn": turn + (bearing - values["course"] - turn + 180.0) % 360.0 - 180.0}
 
 
-def wake_points(run: ShipWithCompass) -> FloatArray:
+def wake_points(run: DataTable) -> FloatArray:
     """Corners (n, p, 3) of the wake: to the East, to the North, on the water."""
     flat = run.wake[..., ::-1] / METRES
     return np.concatenate([flat, np.zeros((*flat.shape[:-1], 1))], axis=-1)
@@ -166,10 +161,10 @@ def size(errors: FloatArray) -> FloatArray:
     return np.hypot(*errors.T)
 
 
-def tilt_plot(run: ShipWithCompass, is_whole: bool) -> Plot:
-    """Tilt of the horizon; beside it, where the ship accelerates, how far off the plumb line is."""
+def tilt_plot(run: DataTable) -> Plot:
+    """Tilt of the horizon; beside it, for a few minutes, how far off the plumb line is."""
     north, east = run.tilt.T / arcminute
-    if is_whole:
+    if np.ptp(run.times) > hour:
         curves = (Curve("about North", north, "second"), Curve("about East", east, "ghost"))
         return Plot("horizon's error, ′", curves, *reach(run.tilt / arcminute))
     plumb, horizon = size(np.arctan(run.lean)) / arcminute, size(run.tilt) / arcminute
@@ -177,9 +172,9 @@ def tilt_plot(run: ShipWithCompass, is_whole: bool) -> Plot:
     return Plot("off the true Up, ′", curves, 0.0, reach(np.append(plumb, horizon))[1])
 
 
-def heading_plot(run: ShipWithCompass) -> Plot:
+def heading_plot(run: DataTable) -> Plot:
     """Error of the heading shown, and what the ship's own way makes of it."""
-    shown, own = np.degrees(run.shown_error), np.degrees(run.speed_error)
+    shown, own = run.shown("shown_error"), run.shown("speed_error")
     curves = (Curve("ship's own way", own, "soft"), Curve("shown", shown, "ghost"))
     low, high = reach(np.append(shown, own))
     return Plot("error of the heading shown, °", curves, low, high)
@@ -193,23 +188,19 @@ def ship_under_way(
     log: bool = False,
     window: str = "the turn",
     latitude: float = SARATOV_LATITUDE,
-) -> tuple[ShipWithCompass, float, float, bool]:
-    """Sail a voyage and look at a part of it: what the ship does, and what its compass shows.
-
-    Return the ship with its compass, the course, the turn, and whether the whole voyage is shown.
-    """
+) -> DataTable:
+    """Sail a voyage and look at a part of it: what the ship does, and what its compass shows."""
     if window not in WINDOWS:
         raise ValueError(f"window: expected one of {', '.join(WINDOWS)}, got {window!r}.")
     bias = finite_array(gyro_bias, "gyro_bias", 3)
-    run = ship_with_compass(speed, course, turn, bias, log=log, latitude=latitude)
-    first, last, step = WINDOWS[window]
-    begin, end = np.searchsorted(run.times, [first, last])
-    return run.at(slice(begin, end, step)), course, turn, window == "two hours"
+    return ship_with_compass(
+        speed, course, turn, bias, log=log, latitude=latitude, seen=WINDOWS[window]
+    )
 
 
-def most_off(data: tuple[ShipWithCompass, float, float, bool]) -> int:
+def most_off(run: DataTable) -> int:
     """The moment at which the compass shows the most wrong heading."""
-    return int(np.abs(data[0].shown_error).argmax())
+    return int(np.abs(run.shown_error).argmax())
 
 
 class ShipUnderWay(SceneExplorer):
@@ -240,7 +231,7 @@ class ShipUnderWay(SceneExplorer):
         "A voyage": "Gyros that drift a little, and a turn to the West. What begins with the turn?",
     }
 
-    def compute(self, values: Values) -> tuple[ShipWithCompass, float, float, bool]:
+    def compute(self, values: Values) -> DataTable:
         course, turn = float(np.radians(values["course"])), float(np.radians(values["turn"]))
         bias = GYRO_BIAS * values["drift"]
         return ship_under_way(values["speed"], course, turn, bias, values["log"], values["window"])
@@ -248,17 +239,13 @@ class ShipUnderWay(SceneExplorer):
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         return dragged_course(self.values, handle, direction)
 
-    def numbers(self, data: tuple[ShipWithCompass, float, float, bool]) -> Results:
-        run = data[0]
+    def numbers(self, run: DataTable) -> Results:
         return Results(
-            ("heading shown is off by up to", degrees_text(np.abs(run.shown_error).max())),
+            run.row("most_shown_error", ".4f"),
             [
-                (
-                    "the ship's own way alone makes up to",
-                    degrees_text(np.abs(run.speed_error).max()),
-                ),
-                ("horizon", f"{size(run.tilt).max() / arcminute:.3f}′"),
-                ("plumb line", f"{size(np.arctan(run.lean)).max() / arcminute:.1f}′"),
+                run.row("most_speed_error", ".4f"),
+                run.row("most_tilt", ".3f"),
+                run.row("most_lean", ".1f"),
             ],
         )
 
