@@ -35,8 +35,6 @@ LASTING: FloatArray = np.arange(0.0, 0.105, 0.01).round(2)
 """Deviation of the drift that each gyro keeps through all runs, deg/h."""
 OFFSETS: FloatArray = np.arange(0.0, 11.0, 1.0)
 """Deviation of the offset that each accelerometer keeps through all runs, mg."""
-SHOWN = 4
-"""Index of the entry of `LASTING` from which one unit is shown in the published figure."""
 SEED = 1
 PAPER_LARGEST = 0.34
 """The paper's largest averaged error, degrees."""

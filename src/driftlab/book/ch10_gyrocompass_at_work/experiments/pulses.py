@@ -5,9 +5,8 @@ import numpy as np
 from driftlab.book.machinery.data_table import DataTable
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.gyrocompass.alignment import align
-from driftlab.gyrocompass.gains import Gains, damped_gains
+from driftlab.gyrocompass.gains import damped_gains
 from driftlab.gyrocompass.levelling import initial_level_frame, propagate_level_frame
-from driftlab.increments import Increments
 from driftlab.recordings.publishers import published
 from driftlab.vectors import wrap_angle
 
@@ -41,25 +40,15 @@ def counted_pulses() -> DataTable:
     late = run.times > BEFORE
     north, east = np.moveaxis(run.horizon_rate, -1, 0)
     by_whole = wrap_angle(run.yaw_pitch_roll.heading + np.arctan2(east, north))
-    pulse = _pulse(whole)
+    # The step between neighbouring velocity increments of the forward accelerometer.
+    pulse = np.median(np.diff(np.unique(velocity[:, 0].round(9))))
+    worth = gains.proportional * pulse / interval / EARTH_RATE
     return DataTable(
         {
             "time": (run.times[late] - BEFORE, "min", "since the beginning of the quiet stretch"),
             "by_whole_rate": (by_whole[late], "deg", "heading from the whole level rates"),
             "by_integrals": (run.heading[late], "deg", "heading from their integral parts"),
             "pulse": (np.array([pulse]), "m_per_s", "velocity of one pulse of the accelerometers"),
-            "pulse_over_earth_rate": (
-                np.array([_rate_of(pulse, gains, interval)]), "",
-                "of one pulse in one interval, through k1",
-            ),
+            "pulse_over_earth_rate": (np.array([worth]), "", "through k1, for one interval"),
         }
-    )  # fmt: skip
-
-
-def _pulse(increments: Increments) -> float:
-    """Step between neighbouring velocity increments of the forward accelerometer, m/s."""
-    return float(np.median(np.diff(np.unique(increments.velocity[:, 0].round(9)))))
-
-
-def _rate_of(pulse: float, gains: Gains, interval: float) -> float:
-    return gains.proportional * pulse / interval / EARTH_RATE
+    )

@@ -26,7 +26,7 @@ NOISES = (gyro_noise(WHITE[0]), gyro_noise(WHITE[1]))
 SEED = 26
 
 
-SHOWN = slice(None, None, 5)
+EVERY_FIFTH = slice(None, None, 5)
 """Samples of the noise that the figure shows."""
 
 
@@ -57,10 +57,10 @@ def restart_series(
         {
             "restart": (np.arange(1.0, restarts + 1), "", "counted from 1"),
             "aligned_heading": (heading, "deg", "with the weaker noise, averaged"),
-            "sample_time": (sampled[SHOWN], "min", "since the start"),
-            "rate": (raw[SHOWN], "deg_per_h", "stronger noise of one gyro"),
-            "mean_time": (sampled[window - 1 :][SHOWN], "min", "of the last sample of a mean"),
-            "mean_rate": (averaged[SHOWN], "deg_per_h", "the same noise, averaged"),
+            "sample_time": (sampled[EVERY_FIFTH], "min", "since the start"),
+            "rate": (raw[EVERY_FIFTH], "deg_per_h", "stronger noise of one gyro"),
+            "mean_time": (sampled[window - 1 :][EVERY_FIFTH], "min", "of a mean's last sample"),
+            "mean_rate": (averaged[EVERY_FIFTH], "deg_per_h", "the same noise, averaged"),
             "range_over_deviation": (
                 (edges[1:] + edges[:-1]) / 2, "", "of normal values, middle of a class"
             ),

@@ -58,10 +58,6 @@ def compasses(compass: Gyrocompass, damping: float, worse: float) -> dict[str, G
     }
 
 
-COMPASSES = compasses(PAPER_COMPASS, DAMPING, WORSE)
-CHEAP_COMPASS = COMPASSES[f"gyros {WORSE:g} times worse"]
-
-
 LOW, HIGH = 3e-3, 300.0
 """Least and largest share of a limit that is drawn as it is."""
 
