@@ -1,5 +1,7 @@
 """The paper's formula for the heading error at work, term by term, against the simulation."""
 
+from typing import Any
+
 import numpy as np
 from scipy.constants import minute
 
@@ -29,9 +31,9 @@ def draw(drawing: Drawing) -> None:
         panel.set(xlabel="time, minutes", xlim=(0, DURATION / minute))
         shade_manoeuvres(panel)
     wide, thin = (2.2, 0.7) if sheet.on_paper else (3.5, 1.0)
-    broad = {"color": BLACK, "linewidth": wide, "alpha": 0.35, "label": "simulated"}
-    drawing.curve(terms, "time", "simulated", **broad)
-    fine = {"color": BLACK, "linewidth": thin}
+    drawing.curve(terms, "time", "simulated", color=BLACK, linewidth=wide, alpha=0.35,
+                  label="simulated")  # fmt: skip
+    fine: dict[str, Any] = {"color": BLACK, "linewidth": thin}
     drawing.curve(terms, "time", "formula", **fine, label="formula, all terms")
     drawing.curve(gaps, "time", "missing", **fine, label="with all terms")
     for name, style in zip(TERMS, SERIES, strict=False):

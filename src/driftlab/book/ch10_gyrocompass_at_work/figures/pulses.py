@@ -14,9 +14,8 @@ def draw(drawing: Drawing) -> None:
     both, near = panels["a"], panels["b"]
     both.set(title="heading of a parked car, degrees", ylim=(-180, 180))
     both.set_yticks(range(-180, 181, 90))
-    dots = {"linestyle": "none", "marker": ".", "markersize": 2 if sheet.on_paper else 4}
-    drawing.curve(both, "time", "by_whole_rate", color=VERMILION, **dots,
-                  label="from the whole rate")  # fmt: skip
+    drawing.curve(both, "time", "by_whole_rate", color=VERMILION, linestyle="none", marker=".",
+                  markersize=2 if sheet.on_paper else 4, label="from the whole rate")  # fmt: skip
     for panel in (both, near):
         drawing.curve(panel, "time", "by_integrals", **SERIES[0], label="from the integrals")
         panel.set(xlabel="time, minutes", xlim=(0, table.shown("time")[-1]))
