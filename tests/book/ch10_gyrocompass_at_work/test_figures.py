@@ -8,7 +8,7 @@ from scipy.stats import beta, binom, chi, kstest
 
 from driftlab.book.ch09_aligning_a_gyrocompass import experiments as alignments
 from driftlab.book.ch10_gyrocompass_at_work import experiments as at_work
-from driftlab.book.ch10_gyrocompass_at_work.experiments import dial
+from driftlab.book.ch10_gyrocompass_at_work.experiments import dial, restarts, settling
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.gyrocompass.trials import most_range_over_deviation
 from published import published
@@ -79,7 +79,7 @@ def test_a_spread_of_six_deviations_is_nothing_to_explain(figure: PublishedFigur
 
 
 def test_rounding_is_the_least_and_the_most_that_reads_so() -> None:
-    low, high = at_work.rounded_ratio_range()
+    low, high = restarts.rounded_ratio_range()
     spreads, deviations = np.linspace(0.25, 0.35, 101), np.linspace(0.0535, 0.0545, 101)
     assert {f"{spread:.1f}" for spread in spreads[1:-1]} == {f"{at_work.PAPER_SPREAD:.1f}"}
     inside = {f"{deviation:.3f}" for deviation in deviations[1:-1]}
@@ -98,7 +98,7 @@ def test_the_shown_unit_follows_its_formula_within_the_noise_of_three_runs(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    noise = at_work.RANDOM / np.sqrt(dial.RUNS) / LEVEL_RATE
+    noise = dial.RANDOM / np.sqrt(dial.RUNS) / LEVEL_RATE
     low, high = chi_bounds(len(at_work.DIAL))
     for name in at_work.STOPS:
         *runs, mean, formula = getattr(data, f"{name}_error")
@@ -137,14 +137,14 @@ def test_the_error_of_the_paper_is_the_median_of_the_shown_drift(figure: Publish
     np.testing.assert_allclose(fits, [(2, 9), (2, 5), (2, 8), (1, 4)], rtol=0, atol=1.01)
     medians = np.degrees(np.median(data.by_drift[0], axis=-1))
     assert np.abs(medians - at_work.PAPER_LARGEST).argmin() == SHOWN
-    assert at_work.LASTING[SHOWN] == 0.04
+    assert dial.LASTING[SHOWN] == 0.04
     assert data.words("shown_drift", "g") == "0.04°/h"
 
 
 def test_without_noise_a_unit_has_one_characteristic() -> None:
     """Drift, offset, and the dial's zero to first order; the table's tilt where it is pitched."""
     rng = np.random.default_rng(7)
-    trial = at_work.dial_trial(0.02 * HOURLY, 0.005, 200, rng, random=0.0)
+    trial = dial.dial_trial(0.02 * HOURLY, 0.005, 200, rng, random=0.0)
     rates, tilts = trial.drift / LEVEL_RATE, trial.offset / GRAVITY
     # Squares of all that is small, times what a pitch of 60 degrees and the latitude make of it.
     size = np.linalg.norm(rates, axis=-1) + 2 * np.linalg.norm(tilts, axis=-1)
@@ -153,7 +153,7 @@ def test_without_noise_a_unit_has_one_characteristic() -> None:
         errors = trial.errors[name]
         assert errors.shape == (200, 3, 25)
         assert np.ptp(errors, axis=1).max() < 32 * EPS  # differences of angles of up to a turn
-        expected = np.array([at_work.table_and_unit(trial, unit)[name] for unit in range(200)])
+        expected = np.array([dial.table_and_unit(trial, unit)[name] for unit in range(200)])
         gap = np.abs(errors[:, 0] - expected).max(axis=-1)
         assert (gap < 2 * (1 + steepest**2) * size**2).all()
         assert largest(gap) < 0.1 * largest(expected)
@@ -174,16 +174,16 @@ def test_without_noise_a_unit_has_one_characteristic() -> None:
 def test_the_horizon_settles_as_an_oscillator_with_its_damping(figure: PublishedFigure) -> None:
     data = figure.data
     # The envelope falls with exp(-zeta wn t); in a whole period by so much.
-    decay, ringing = at_work.FREQUENCY * np.sqrt(0.5), at_work.FREQUENCY * np.sqrt(0.5)
-    period = round(2 * np.pi / ringing / at_work.SETTLING_INTERVAL)
-    expected = np.exp(-decay * period * at_work.SETTLING_INTERVAL)
+    decay, ringing = settling.FREQUENCY * np.sqrt(0.5), settling.FREQUENCY * np.sqrt(0.5)
+    period = round(2 * np.pi / ringing / settling.SETTLING_INTERVAL)
+    expected = np.exp(-decay * period * settling.SETTLING_INTERVAL)
     early = slice(10, 60)
     ratio = data.settling_tilt[10 + period : 60 + period] / data.settling_tilt[early]
     # While the tilt is not near one of its zeros; half a degree is a small angle within 1e-2.
     whole = data.settling_tilt[early] > 0.3 * data.settling_tilt[0]
     assert whole.sum() > 10
     np.testing.assert_allclose(ratio[whole], expected, rtol=0.05)
-    assert data.settling_tilt[0] == pytest.approx(np.linalg.norm(at_work.TILT), rel=0.05)
+    assert data.settling_tilt[0] == pytest.approx(np.linalg.norm(settling.TILT), rel=0.05)
     assert data.settling_heading_error[0] > np.radians(10)
     assert data.settling_heading_error[-1] < np.radians(2e-5)
     assert data.settling_tilt[-1] < 1e-6 * data.settling_tilt[0]
@@ -204,5 +204,5 @@ def test_the_swing_of_many_runs_is_as_large_as_the_formulas_say() -> None:
     # A whole swing later only what new noise has fed is different.
     period = 2 * np.pi / SCHULER
     begun, later = np.interp([60.0, 60.0 + period], data.time, data.formula * LEVEL_RATE)
-    fed = at_work.RANDOM_WALK * SCHULER * np.sqrt(period / 2)
+    fed = settling.RANDOM_WALK * SCHULER * np.sqrt(period / 2)
     assert np.sqrt(later**2 - begun**2) == pytest.approx(fed, rel=0.01)

@@ -8,6 +8,7 @@ from scipy.constants import arcminute
 from scipy.integrate import solve_ivp
 
 from driftlab.book.ch10_gyrocompass_at_work import experiments as at_work
+from driftlab.book.ch10_gyrocompass_at_work.experiments import voyages
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.book.scenarios import SPEED, ship_manoeuvre
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE
@@ -247,9 +248,9 @@ def test_every_term_of_the_operating_formula_is_needed(figure: PublishedFigure) 
         np.testing.assert_allclose(gap - data.gaps[0], term, rtol=0, atol=1e-16)
     assert min(without) > 1.8 * full
     # What all of them leave is of second order: the square of the angles in play.
-    angles = largest(run.yaw_error) + largest(run.tilt) * np.tan(at_work.CRAFT["pitch"])
+    angles = largest(run.yaw_error) + largest(run.tilt) * np.tan(voyages.CRAFT["pitch"])
     assert full < angles**2 < 0.05 * largest(run.compass_error)
     short = simulate_compass(
-        ship_manoeuvre(**{**at_work.CRAFT, "interval": 0.5}), **at_work.CRAFT_COMPASS
+        ship_manoeuvre(**{**voyages.CRAFT, "interval": 0.5}), **voyages.CRAFT_COMPASS
     )
     assert largest(run.compass_error - short.compass_error[1::2]) < 1e-2 * full

@@ -1,6 +1,6 @@
 """The slider panels of chapter 10."""
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from scipy.constants import arcminute, degree, hour, knot, minute
@@ -28,6 +28,9 @@ from .experiments import GYRO_BIAS, TUNING_FACTORS, error_table
 from .figures.operation import OperationPicture
 from .figures.type_tests import BarsPicture
 
+PERFECT: dict[str, Any] = {f"gyro_{axis}": 0.0 for axis in BODY_AXES}
+"""Gyros without a bias."""
+
 
 class GyrocompassExplorer(Explorer):
     """A compass on board, for two hours."""
@@ -49,21 +52,15 @@ class GyrocompassExplorer(Explorer):
     )  # fmt: skip
     presets: ClassVar = {
         "Small drifts, a turn": {},
-        "Perfect sensors": {f"gyro_{axis}": 0.0 for axis in BODY_AXES},
-        "Perfect sensors and a log": {
-            **{f"gyro_{axis}": 0.0 for axis in BODY_AXES}, "log": True
-        },
-        "Swinging for 84 minutes": {
-            **{f"gyro_{axis}": 0.0 for axis in BODY_AXES}, "speed": 0.0, "turn": 0.0, "tilt": 1.0
-        },
-        "Tuned too stiffly": {f"gyro_{axis}": 0.0 for axis in BODY_AXES} | {"tuning": 2.0},
-        "Damped": {f"gyro_{axis}": 0.0 for axis in BODY_AXES} | {"damping": 0.5},
+        "Perfect sensors": PERFECT,
+        "Perfect sensors and a log": PERFECT | {"log": True},
+        "Swinging for 84 minutes": PERFECT | {"speed": 0.0, "turn": 0.0, "tilt": 1.0},
+        "Tuned too stiffly": PERFECT | {"tuning": 2.0},
+        "Damped": PERFECT | {"damping": 0.5},
         "Damped by the log": {"damping": 0.5, "log": True},
-        "Open azimuth": {
-            "gyro_forward": 0.0, "gyro_up": 0.1, "gyro_right": 0.0, "speed": 0.0, "turn": 0.0
-        },
+        "Open azimuth": PERFECT | {"gyro_up": 0.1, "speed": 0.0, "turn": 0.0},
         "Whole turn": {"turn": 360.0},
-    }  # fmt: skip
+    }
     look_for: ClassVar = {
         "Small drifts, a turn": "Find the turn that does the least harm to the heading.",
         "Perfect sensors": "Nothing is wrong with the sensors. Where does the error come from?",

@@ -2,15 +2,11 @@
 
 from .dial import (
     DIAL as DIAL,
-    LASTING as LASTING,
     LEVELLING as LEVELLING,
     PAPER_LARGEST as PAPER_LARGEST,
-    RANDOM as RANDOM,
     STOPS as STOPS,
     TURNED as TURNED,
-    dial_trial as dial_trial,
     static_characteristic as static_characteristic,
-    table_and_unit as table_and_unit,
 )
 from .loop import (
     DAY as DAY,
@@ -26,16 +22,9 @@ from .restarts import (
     RESTARTS as RESTARTS,
     TRIALS as TRIALS,
     restart_series as restart_series,
-    rounded_ratio_range as rounded_ratio_range,
     spread_readings as spread_readings,
 )
-from .settling import (
-    FREQUENCY as FREQUENCY,
-    RANDOM_WALK as RANDOM_WALK,
-    SETTLING_INTERVAL as SETTLING_INTERVAL,
-    TILT as TILT,
-    settling_and_swing as settling_and_swing,
-)
+from .settling import settling_and_swing as settling_and_swing
 from .ship import ship_with_compass as ship_with_compass
 from .type_tests import (
     HIGH as HIGH,
@@ -44,8 +33,6 @@ from .type_tests import (
     type_tests as type_tests,
 )
 from .voyages import (
-    CRAFT as CRAFT,
-    CRAFT_COMPASS as CRAFT_COMPASS,
     CURRENT as CURRENT,
     DAMPING as DAMPING,
     GYRO_BIAS as GYRO_BIAS,

@@ -70,10 +70,7 @@ def frequency_response(
     periods = np.geomspace(2 * DAY, 3.0, 241)
     driven = {
         disturbance: np.transpose(
-            [
-                driven_compass(disturbance, float(period), loops, latitude, damping)
-                for period in driven_at
-            ]
+            [driven_compass(disturbance, float(p), loops, latitude, damping) for p in driven_at]
         )
         for disturbance in DISTURBANCES
     }

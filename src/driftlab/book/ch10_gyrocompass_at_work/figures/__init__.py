@@ -35,10 +35,10 @@ def _settling_caption(data: DataTable) -> str:
     tilt, heading_error = (data.shown(f"settling_{name}") for name in ("tilt", "heading_error"))
     return (
         f"Left: a horizon that is {tilt[0]:.1f} degrees out of level and does not know where North "
-        f"is settles; the heading error ends at {heading_error[-1]:.1g} degrees. "
-        f"Right: {len(data.heading_error)} such runs with gyro noise, left to Schuler's tuning. "
-        "The noise of the last moment becomes a swing, and new noise feeds it; the formula says "
-        "one deviation."
+        f"is settles; the heading error ends at {heading_error[-1]:.1g} degrees. Right: "
+        f"{len(data.heading_error)} such runs with gyro noise, left to Schuler's tuning. The noise "
+        "of the last moment becomes a swing, and new noise feeds it; the formula says one "
+        "deviation."
     )
 
 
@@ -49,9 +49,8 @@ def _pulses_caption(data: DataTable) -> str:
         "A ring-laser unit on a parked car, its horizon damped as for levelling. One pulse of its "
         f"accelerometers is {1000 * data.pulse[0]:.1f} mm/s; through k1 that is, for one interval, "
         f"{data.pulse_over_earth_rate[0]:.1f} times the Earth's rate. Read from the whole rate, "
-        f"the heading has a standard deviation of {whole:.0f} degrees; read from the integrals, "
-        f"of {read:.3f}. "
-        f"Recording: {one.source} ({one.licence})."
+        f"the heading has a standard deviation of {whole:.0f} degrees; read from the integrals, of "
+        f"{read:.3f}. Recording: {one.source} ({one.licence})."
     )
 
 
@@ -69,9 +68,9 @@ def _response_caption(data: DataTable) -> str:
     return (
         "Above left: the poles; on the turning Earth the undamped pair splits. Then gains over the "
         "period, from two days on the left to some seconds. Schuler's tuning, and a damped horizon "
-        "with a log, do not feel accelerations at all and are missing in those plots. Circles: "
-        "the simulated compass, driven with waves; its gains are those of the lines within "
-        f"{gap:.1%}. Thin: the same error of the accelerometers in the whole rate."
+        "with a log, do not feel accelerations at all and are missing in those plots. Circles: the "
+        f"simulated compass, driven with waves; its gains are those of the lines within {gap:.1%}. "
+        "Thin: the same error of the accelerometers in the whole rate."
     )
 
 
@@ -80,11 +79,10 @@ def _operation_caption(data: DataTable) -> str:
     return (
         "A ship gathers way and turns (shaded), published for gyros that drift by a few hundredths "
         "of a degree per hour on a way first to the North, then to the West. The heading error "
-        f"reaches {_largest(data.heading_error):.2f} "
-        f"degrees, the formula follows within {gap:.1g}. At the end the yaw is off by "
-        f"{np.degrees(data.yaw_error[-1]):+.2f} degrees and the compass angle by "
-        f"{np.degrees(data.compass_angle_error[-1]):+.2f}. The speed error, up to "
-        f"{_largest(data.speed_error):.1f} degrees, is counted apart."
+        f"reaches {_largest(data.heading_error):.2f} degrees, the formula follows within "
+        f"{gap:.1g}. At the end the yaw is off by {np.degrees(data.yaw_error[-1]):+.2f} degrees "
+        f"and the compass angle by {np.degrees(data.compass_angle_error[-1]):+.2f}. The speed "
+        f"error, up to {_largest(data.speed_error):.1f} degrees, is counted apart."
     )
 
 
@@ -95,8 +93,8 @@ def _ballistic_caption(data: DataTable) -> str:
         "One voyage, perfect sensors, five horizons. Schuler's tuning does not feel that the ship "
         f"gathers way; what tilts it by up to {tilts[0]:.1f} arc minutes is the Coriolis force, "
         f"and with a log to take that out {tilts[1]:.1g} are left. Other tunings tilt by up to "
-        f"{max(tilts[2:]):.0f}. The damped one leans while the ship gathers way, and what it "
-        f"does about it afterwards is a heading error of {damped:.1f} degrees."
+        f"{max(tilts[2:]):.0f}. The damped one leans while the ship gathers way, and what it does "
+        f"about it afterwards is a heading error of {damped:.1f} degrees."
     )
 
 
@@ -107,15 +105,13 @@ def _damping_caption(data: DataTable) -> str:
     rings, stays = (np.ptp(error[-round(swing) :]) for error in (undamped, damped))
     return (
         "A voyage with gyros that drift, published for a few hundredths of a degree per hour. "
-        "Undamped, "
-        f"the swing that the turn begins goes on: {rings:.2f} degrees of heading from top to "
-        f"bottom in the last half period. Damped by the log's velocity, {stays:.2f} of it are "
-        f"left. Damped without a log, the heading runs off by {np.abs(alone).max():.1f} degrees"
-        f"{beyond} after the ship has gathered way. The log with errors tells "
-        f"{data.log_scale:.0%} too much and does not see a current of "
-        f"{np.hypot(*data.current):g} m/s; it is off by up to "
-        f"{np.abs(wrong - damped).max():.2f} degrees from the run with "
-        "the true log."
+        f"Undamped, the swing that the turn begins goes on: {rings:.2f} degrees of heading from "
+        f"top to bottom in the last half period. Damped by the log's velocity, {stays:.2f} of it "
+        f"are left. Damped without a log, the heading runs off by {np.abs(alone).max():.1f} "
+        f"degrees{beyond} after the ship has gathered way. The log with errors tells "
+        f"{data.log_scale:.0%} too much and does not see a current of {np.hypot(*data.current):g} "
+        f"m/s; it is off by up to {np.abs(wrong - damped).max():.2f} degrees from the run with the "
+        "true log."
     )
 
 
@@ -145,9 +141,8 @@ def _static_caption(data: DataTable) -> str:
         "unit, three runs around the dial, and the mean of three in turns of pitch and roll. "
         "Below: the largest error of the averaged characteristic over random units. The paper's "
         f"{experiments.PAPER_LARGEST:g} degrees are the median if each gyro keeps a drift with a "
-        f"deviation of {drift[0]} degrees per hour, or each accelerometer an offset of "
-        f"{offset[0]} mg; if the turns in pitch and roll count as well, {drift[1]} or "
-        f"{offset[1]}."
+        f"deviation of {drift[0]} degrees per hour, or each accelerometer an offset of {offset[0]} "
+        f"mg; if the turns in pitch and roll count as well, {drift[1]} or {offset[1]}."
     )
 
 
@@ -167,13 +162,12 @@ def _restarts_caption(data: DataTable) -> str:
     weak, strong = data.shown("white")
     return (
         "The paper's Fig. 2, simulated from its description; its own plot is lost. Left: one "
-        f"series, with gyro noise of {weak:g} degrees per hour a sample, "
-        f"averaged. Middle: noise of {strong:g} degrees per hour a sample; "
-        f"after the average {averaged[1]:.3f}, and {averaged[0]:.3f} where it was "
-        f"{weak:g}. Right: of "
-        f"{len(data.ranges)} normal samples {taken:.1%} have a range of at least 0.3 over 0.054, "
-        f"and {least:.0%} one that could be rounded to it. If the spread means six deviations, "
-        f"{6 * experiments.PAPER_DEVIATION:.2f} degrees, there is nothing to explain."
+        f"series, with gyro noise of {weak:g} degrees per hour a sample, averaged. Middle: noise "
+        f"of {strong:g} degrees per hour a sample; after the average {averaged[1]:.3f}, and "
+        f"{averaged[0]:.3f} where it was {weak:g}. Right: of {len(data.ranges)} normal samples "
+        f"{taken:.1%} have a range of at least 0.3 over 0.054, and {least:.0%} one that could be "
+        f"rounded to it. If the spread means six deviations, {6 * experiments.PAPER_DEVIATION:.2f} "
+        "degrees, there is nothing to explain."
     )
 
 
@@ -191,11 +185,11 @@ def _type_tests_caption(data: DataTable) -> str:
         "What four compasses use up of the limits of IMO A.821(19), by simulation; the dotted line "
         "is the latitude up to which they hold. The first, published for the paper's as it is "
         f"reconstructed, is nearest to a limit in the {worst} test, at "
-        f"{paper[worst][valid].max():.2f} of it{beyond}. Damped by a log it "
-        f"stays below {max(shares[valid].max() for shares in by_log.values()):.2f}. Damped without "
-        f"a log it turns with {alone['turn'][valid].max():.1f} times the limit. With gyros "
-        f"{data.worse:g} times worse it fails {failed} of the {len(cheap)} tests; what "
-        "never settles stands at the upper edge."
+        f"{paper[worst][valid].max():.2f} of it{beyond}. Damped by a log it stays below "
+        f"{max(shares[valid].max() for shares in by_log.values()):.2f}. Damped without a log it "
+        f"turns with {alone['turn'][valid].max():.1f} times the limit. With gyros {data.worse:g} "
+        f"times worse it fails {failed} of the {len(cheap)} tests; what never settles stands at "
+        "the upper edge."
     )
 
 

@@ -1,6 +1,6 @@
 """Several horizons on one voyage: tunings that feel that a ship gathers way, and dampings."""
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 import numpy as np
 from scipy.constants import arcminute, minute
@@ -14,28 +14,24 @@ from driftlab.gyrocompass.simulation import HeadingErrors
 from .operation import shade_manoeuvres
 
 
-def reach(runs: Iterable[HeadingErrors], least: tuple[float, float]) -> tuple[float, float]:
+def reach(runs: Sequence[HeadingErrors], least: tuple[float, float]) -> tuple[float, float]:
     """How far tilts, arc minutes, and heading errors, degrees, reach: so far at least."""
-    sizes = [
-        (np.abs(run.tilt[:, 1]).max() / arcminute, np.degrees(np.abs(run.heading_error).max()))
-        for run in runs
-    ]
-    tilt, heading = (float(x) for x in np.max(sizes, axis=0))
-    return tuple(  # type: ignore[return-value]
-        low if size <= low else 1.1 * size for low, size in zip(least, (tilt, heading), strict=True)
-    )
+    tilt = max(np.abs(run.tilt[:, 1]).max() for run in runs) / arcminute
+    heading = np.degrees(max(np.abs(run.heading_error).max() for run in runs))
+    low, narrow = least
+    return (low if tilt <= low else 1.1 * tilt), (narrow if heading <= narrow else 1.1 * heading)
 
 
 def damping_reach(table: DataTable) -> tuple[float, float]:
     """Reach of all horizons but the damped one without a log."""
     undamped, _, *by_log = table.runs.values()
-    return reach((undamped, *by_log), (0.4, 0.5))
+    return reach([undamped, *by_log], (0.4, 0.5))
 
 
 @from_table
 def draw_ballistic(drawing: Drawing) -> None:
     """Draw all horizons."""
-    _draw(drawing, *reach(drawing.table.runs.values(), (6.0, 6.0)))
+    _draw(drawing, *reach([*drawing.table.runs.values()], (6.0, 6.0)))
 
 
 @from_table

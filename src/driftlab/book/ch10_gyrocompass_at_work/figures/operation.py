@@ -1,5 +1,6 @@
 """A ship's gyrocompass for two hours: its errors, and the paper's formula for them."""
 
+import numpy as np
 from matplotlib.axes import Axes
 from scipy.constants import minute
 
@@ -10,12 +11,6 @@ from driftlab.book.scenarios import DURATION, SPEED_UP, TURN
 DEGREES = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 25.0, 75.0, 200.0)
 MINUTES = (0.5, 1.0, 2.0, 5.0, 15.0, 75.0, 1000.0)
 """How far the axes may reach."""
-SHOWN = (
-    (("heading_error", "formula"), DEGREES),
-    (("tilt_north", "tilt_east"), MINUTES),
-    (("yaw_error", "compass_angle_error", "speed_error"), DEGREES),
-)
-"""Columns of each panel, and how far its axis may reach."""
 
 
 def shade_manoeuvres(panel: Axes) -> None:
@@ -64,5 +59,6 @@ class OperationPicture(Picture[DataTable]):
 
     def update(self, table: DataTable) -> None:
         self.show(table)
-        for panel, (names, steps) in zip(self.panels, SHOWN, strict=True):
-            self.set_reach(panel, "y", [table.shown(name) for name in names], steps)
+        for panel, steps in zip(self.panels, (DEGREES, MINUTES, DEGREES), strict=True):
+            drawn = [np.asarray(line.get_ydata()) for line in panel.get_lines()]
+            self.set_reach(panel, "y", drawn, steps)
