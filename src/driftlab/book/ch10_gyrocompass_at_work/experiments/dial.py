@@ -71,19 +71,18 @@ def dial_trial(
             north_error=north, tilt=tilt,
         )  # fmt: skip
     worst = [np.abs(each.mean(axis=1)).max(axis=-1) for each in errors.values()]
+    largest = np.array([worst[0], np.max(worst, axis=0)])
     return DataTable(
         {},
         {
             "errors": (errors, "deg", "of the heading, by angle that turns: (units, runs, stops)"),
-            "largest": (
-                np.array([worst[0], np.max(worst, axis=0)]), "deg", "error of the mean of the runs"
-            ),
+            "largest": (largest, "deg", "error of the mean of the runs, for both kinds of turns"),
             "drift": (drift, "deg_per_h", "that lasts"),
             "offset": (bias, "mg", "that lasts"),
             "north_error": (north, "deg", "of the table's zero"),
             "tilt": (tilt, "arcmin", "of the table about North and East"),
         },
-    )  # fmt: skip
+    )
 
 
 def table_and_unit(
@@ -148,12 +147,8 @@ def static_characteristic(
             quantiles, names = np.quantile(largest, SHARES, axis=-1), [f"{x:.0%}" for x in SHARES]
             at = sizes + aside * step
             columns[f"{name}_drawn_at, {turned}"] = (at, unit_shown, "both kinds side by side")
-            columns[f"largest_by_{name}, {turned}"] = (
-                quantiles,
-                "deg",
-                "largest error of units, not exceeded by a share of them",
-                names,
-            )
+            most = "what a share of the units does not exceed"
+            columns[f"largest_by_{name}, {turned}"] = (quantiles, "deg", most, names)
     columns["paper_largest_error"] = ([np.radians(PAPER_LARGEST)], "deg", "of the paper")
     return DataTable(
         columns,
@@ -162,4 +157,4 @@ def static_characteristic(
             "by_drift": (by_drift, "deg", "largest errors of all units, for both kinds of turns"),
             "by_offset": (by_offset, "deg", "likewise"),
         },
-    )  # fmt: skip
+    )

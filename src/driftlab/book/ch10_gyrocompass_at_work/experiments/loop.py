@@ -77,23 +77,19 @@ def frequency_response(
     swing = np.sqrt(gravity(latitude) / EARTH_RADIUS)
     poles = np.array([loop.poles() for loop in loops.values()]) / swing
     upper, lower = next(iter(loops.values())).poles(EARTH_RATE * np.sin(latitude))
+    split = np.array([upper.imag, -lower.imag]) / swing
     columns: dict[str, tuple[Any, ...]] = {
         "loop": ([name for name in loops for _ in range(2)], "", "of each pole"),
         "pole_real": (poles.real.ravel(), "", "over Schuler's frequency"),
         "pole_imaginary": (poles.imag.ravel(), "", "over Schuler's frequency"),
         "undamped_pole_on_the_turning_earth_real": (np.zeros(2), "", "likewise"),
-        "undamped_pole_on_the_turning_earth": (
-            np.array([upper.imag, -lower.imag]) / swing, "", "likewise, size of imaginary part"
-        ),
+        "undamped_pole_on_the_turning_earth": (split, "", "likewise, size of imaginary part"),
         "period": (periods, "s", "of a disturbance"),
         "driven_period": (driven_at, "s", "with which the compass is driven"),
-    }  # fmt: skip
-    answering = {}
-    level = EARTH_RATE * np.cos(latitude)
+    }
+    answering, level, rates = {}, EARTH_RATE * np.cos(latitude), 2 * np.pi / periods
     for name, (disturbance, part, size) in GAINS.items():
-        answers = {
-            loop: getattr(each, disturbance)(2 * np.pi / periods) for loop, each in loops.items()
-        }
+        answers = {loop: getattr(each, disturbance)(rates) for loop, each in loops.items()}
         answering[name] = [loop for loop, answer in answers.items() if answer.rate.any()]
         unit, scale = ("arcmin", size) if part == "tilt" else ("deg", size / level)
         for loop in answering[name]:
@@ -104,30 +100,24 @@ def frequency_response(
             # The whole rate is that of the tilt: nothing else turns the horizon.
             for loop, answer in answers.items():
                 if not loops[loop].log:
-                    values = scale * 2 * np.pi / periods * np.abs(answer.tilt)
+                    values = scale * rates * np.abs(answer.tilt)
                     columns[f"{name}, whole rate, {loop}"] = (values, unit, "in the whole rate")
         seen = scale * np.abs(driven[disturbance][0 if part == "tilt" else 1])
         columns[f"{name}, simulated"] = (seen, unit, "amplitude of the driven compass")
+    compared = _gain_and_lead(driven, driven_at, loops)
     return DataTable(
         columns,
         {
             "loops": (loops, "", "undamped, damped, with a log, and for accelerated alignment"),
             "answering": (answering, "", "loops that each disturbance moves"),
             "driven": (driven, "", "tilt and rate of the compass for a unit, complex"),
-            "gain_and_lead": (
-                _gain_and_lead(driven, driven_at, loops), "",
-                "simulated over derived response: gains less 1 and leads, of tilt and rate",
-            ),
+            "gain_and_lead": (compared, "", "simulated over derived: gains less 1 and leads"),
         },
-    )  # fmt: skip
+    )
 
 
 def driven_compass(
-    disturbance: str,
-    period: float,
-    loops: Mapping[str, LevelLoop],
-    latitude: float,
-    damping: float,
+    disturbance: str, period: float, loops: Mapping[str, LevelLoop], latitude: float, damping: float
 ) -> NDArray[np.complex128]:
     """Tilt and rate (2,) of a simulated compass for a unit of a disturbance that swings.
 

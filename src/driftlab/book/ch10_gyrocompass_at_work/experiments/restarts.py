@@ -2,11 +2,7 @@
 
 import numpy as np
 
-from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
-    MOVING_AVERAGE,
-    WHITE,
-    gyro_noise,
-)
+from driftlab.book.ch09_aligning_a_gyrocompass.experiments import MOVING_AVERAGE, WHITE, gyro_noise
 from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, whole_number
@@ -24,8 +20,6 @@ TRIALS = 200_000
 NOISES = (gyro_noise(WHITE[0]), gyro_noise(WHITE[1]))
 """The least and the most of the paper's range."""
 SEED = 26
-
-
 EVERY_FIFTH = slice(None, None, 5)
 """Samples of the noise that the figure shows."""
 
@@ -46,9 +40,9 @@ def restart_series(
     quiet = weak.samples(window, rng, restarts, 3)
     heading = align(rate + quiet.mean(axis=-1), force).heading
     raw = strong.samples(10 * window, rng)
-    deviations = [
-        [np.hypot(gyro.white, gyro.slow), gyro.deviation_of_mean(window)] for gyro in (weak, strong)
-    ]
+    deviations = np.array(
+        [[np.hypot(each.white, each.slow), each.deviation_of_mean(window)] for each in noises]
+    )
     averaged, ranges = moving_average(raw, window), normal_ranges(restarts, trials, rng)
     density, edges = np.histogram(ranges, min(120, 10 + len(ranges) // 100), density=True)
     least, most = rounded_ratio_range()
@@ -61,9 +55,7 @@ def restart_series(
             "rate": (raw[EVERY_FIFTH], "deg_per_h", "stronger noise of one gyro"),
             "mean_time": (sampled[window - 1 :][EVERY_FIFTH], "min", "of a mean's last sample"),
             "mean_rate": (averaged[EVERY_FIFTH], "deg_per_h", "the same noise, averaged"),
-            "range_over_deviation": (
-                (edges[1:] + edges[:-1]) / 2, "", "of normal values, middle of a class"
-            ),
+            "range_over_deviation": ((edges[1:] + edges[:-1]) / 2, "", "middle of a class"),
             "density": (density, "", "of probability in the class"),
             "paper_range_over_deviation": ([PAPER_SPREAD / PAPER_DEVIATION], "", "of the paper"),
             "paper_ratio_rounded_from": ([least], "", "least that rounds to the paper's"),
@@ -73,15 +65,12 @@ def restart_series(
         {
             "window": (window, "", "samples that are averaged"),
             "white": (np.array([weak.white, strong.white]), "deg_per_h", "noise of a sample"),
-            "deviations": (
-                np.array(deviations), "deg_per_h", "for each noise, before and after averaging"
-            ),
+            "deviations": (deviations, "deg_per_h", "before and after averaging, by noise"),
             "raw": (raw, "deg_per_h", "all samples of the stronger noise"),
-            "averaged": (averaged, "deg_per_h", "all means of them"),
             "ranges": (ranges, "", "over deviation, of as many normal values as restarts"),
             "edges": (edges, "", "of the classes of these"),
         },
-    )  # fmt: skip
+    )
 
 
 def rounded_ratio_range() -> tuple[float, float]:

@@ -67,25 +67,16 @@ def settling_and_swing(
     begun = settled_deviation(random_walk, frequency) * np.cos(phase)
     grown = swing_deviation(random_walk, working.times, pull)
     level = EARTH_RATE * np.cos(latitude)
-    heading = working.heading
+    tilt = np.linalg.norm(to_rotation_vector(quiet.attitude)[:, [0, 2]], axis=-1)
+    heading, names = working.heading, [f"run {i}" for i in range(1, runs + 1)]
     return DataTable(
         {
             "settling_time": (quiet.times, "min", "since the start"),
-            "settling_heading_error": (
-                np.abs(quiet.heading), "deg", "while the horizon settles without noise"
-            ),
-            "settling_tilt": (
-                np.linalg.norm(to_rotation_vector(quiet.attitude)[:, [0, 2]], axis=-1), "deg",
-                "of the horizon meanwhile",
-            ),
+            "settling_heading_error": (np.abs(quiet.heading), "deg", "while the horizon settles"),
+            "settling_tilt": (tilt, "deg", "of the horizon meanwhile"),
             "time": (working.times, "min", "since the horizon was left to itself"),
-            "formula": (
-                np.hypot(begun, grown) / level, "deg", "standard deviation of the heading"
-            ),
+            "formula": (np.hypot(begun, grown) / level, "deg", "standard deviation of the heading"),
             "simulated": (heading.std(axis=0), "deg", "standard deviation over the runs"),
-            "heading_error": (
-                heading, "deg", "of each run with noise",
-                [f"run {i}" for i in range(1, len(heading) + 1)],
-            ),
+            "heading_error": (heading, "deg", "of each run with noise", names),
         }
-    )  # fmt: skip
+    )

@@ -53,13 +53,11 @@ def ship_with_compass(
             "lean": (lean, "", "level specific force, North and East, over its part upwards"),
             "tilt": (tilt, "arcmin", "of the compass's horizon about North and East"),
             "most_shown_error": (np.abs(shown).max(), "deg", "heading shown is off by up to"),
-            "most_speed_error": (
-                np.abs(own).max(), "deg", "the ship's own way alone makes up to"
-            ),
+            "most_speed_error": (np.abs(own).max(), "deg", "the ship's own way alone makes up to"),
             "most_tilt": (np.hypot(*tilt.T).max(), "arcmin", "horizon"),
             "most_lean": (plumb_line.max(), "arcmin", "plumb line"),
         },
-    )  # fmt: skip
+    )
 
 
 def _wake(way: Trajectory) -> FloatArray:

@@ -7,11 +7,7 @@ from itertools import product
 import numpy as np
 from scipy.constants import degree
 
-from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
-    MOVING_AVERAGE,
-    WHITE,
-    gyro_noise,
-)
+from driftlab.book.ch09_aligning_a_gyrocompass.experiments import MOVING_AVERAGE, WHITE, gyro_noise
 from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, finite_array
@@ -81,14 +77,13 @@ def type_tests(
         shares[name] = {test: np.array([one[test] for one in found]) for test in LIMITS}
     names, tests, at = zip(*product(shares, LIMITS, places), strict=True)
     share = np.concatenate([each for of_tests in shares.values() for each in of_tests.values()])
+    settled = np.where(np.isinf(share), np.nan, share)
     return DataTable(
         {
             "compass": (names, "", "one of four"),
             "test": (tests, "", "of the standards"),
             "latitude": (np.array(at), "deg", "of the test"),
-            "share_of_limit": (
-                np.where(np.isinf(share), np.nan, share), "", "none if it never settles"
-            ),
+            "share_of_limit": (settled, "", "none if it never settles"),
             "drawn_at": (np.clip(share, LOW, HIGH), "", "share within the limits of the plot"),
         },
         {
@@ -96,4 +91,4 @@ def type_tests(
             "worse": (worse, "", "how many times worse the gyros of the last compass are"),
             "shares": (shares, "", "by compass and test: more than 1 fails"),
         },
-    )  # fmt: skip
+    )
