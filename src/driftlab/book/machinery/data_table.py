@@ -125,6 +125,10 @@ class DataTable:
             raise KeyError(f"This table has {', '.join(self._entries)}, and no {name}.")
         return self._entries[name]
 
+    def is_fact(self, name: str) -> bool:
+        """Return whether a name is that of a fact."""
+        return name in self._facts
+
     def heading(self, title: str) -> str:
         """Return what stands above a column in a CSV: ``drift_deg_per_h, picard-3``."""
         if title not in self._columns:

@@ -43,7 +43,7 @@ GUIDE = "_guide"
 
 Place = str | Sequence[float] | FloatArray
 """A column by its title, with a minus sign before it for its mirror image; or, along an axis that
-counts words, where the marks stand."""
+counts words, where the marks stand: numbers, or the name of a fact that holds them."""
 Where = Mapping[str, str]
 """Columns of words, and the word that the rows drawn have there."""
 
@@ -278,7 +278,7 @@ class Drawing:
         for rows in drawn.rows:
             parts = []
             for axis, place in (("x", rows.x), ("y", rows.y)):
-                if isinstance(place, str):
+                if isinstance(place, str) and not self.table.is_fact(place):
                     parts += [f"{axis} = {self._heading(place)}"] if place else []
                 elif not counts_words(getattr(drawn.axes, f"{axis}axis")):
                     raise MissingCurves(
