@@ -13,6 +13,7 @@ from driftlab.book.ch08_system_calibration.experiments import (
     BATCH,
     BEST,
     CASES,
+    DRAWN_ZERO,
     PARAMETERS,
     RANDOM,
     TASKS,
@@ -26,8 +27,8 @@ from driftlab.book.ch08_system_calibration.experiments import (
     unit_of,
 )
 from driftlab.book.ch08_system_calibration.experiments.choice_of_axes import UNITS
-from driftlab.book.ch08_system_calibration.figures import (
-    table_observability as table_observability_figure,
+from driftlab.book.ch08_system_calibration.figures.table_observability import (
+    TableObservabilityPicture,
 )
 from driftlab.book.ledger import ledger_entries
 from driftlab.book.machinery.publish import PublishedFigure
@@ -45,7 +46,8 @@ from published import percent, published
 @published("08-scheme-directions")
 def test_scheme_directions_end_pauses_along_an_axis(figure: PublishedFigure) -> None:
     data = figure.data
-    for times, up in zip(data.times, data.up, strict=True):
+    for name in data.names:
+        times, up = (data.entry(f"{what}, {name}").values.T for what in ("time", "up"))
         assert len(times) == len(up)
         np.testing.assert_allclose(np.linalg.norm(up, axis=-1), 1, rtol=0, atol=1e-12)
         resting = np.linalg.norm(np.diff(up, axis=0), axis=-1) < 1e-12
@@ -59,8 +61,9 @@ def test_calibration_run_is_what_the_trial_found() -> None:
     assert found.calibration.model.names[6:9] == PARAMETERS[:3]
     for i, parameter in enumerate(PARAMETERS):
         data = calibration_history(parameter, minute=10.0)
-        np.testing.assert_allclose(data.true - data.estimate, found.errors[:, 6 + i], atol=1e-12)
-        assert data.times[data.shown] == pytest.approx(600, abs=3)
+        np.testing.assert_allclose(data.error, found.errors[:, 6 + i], atol=1e-12)
+        assert data.moment == pytest.approx(600, abs=3)
+        assert data.true - data.estimate == data.error_now
     with pytest.raises(ValueError, match=r"parameter: expected one of gyro bias x, .*got 'new'"):
         calibration_history("new")
 
@@ -68,10 +71,11 @@ def test_calibration_run_is_what_the_trial_found() -> None:
 @published("08-calibration-errors")
 def test_calibration_errors_stay_below_the_stated_deviations(figure: PublishedFigure) -> None:
     data = figure.data
-    last = data.errors[-1] / data.deviations[-1]
-    # Of 21 normal numbers one lies outside 4.5 in 7000 cases.
-    assert np.abs(last).max() < 4.5
-    assert (data.deviations[-1] < data.deviations[0]).all()
+    for name in data.names:
+        error, three = (data.shown(f"{what}, {name}") for what in ("error", "three_deviations"))
+        # Of 21 normal numbers one lies outside 4.5 in 7000 cases.
+        assert error[-1] < 4.5 / 3 * three[-1]
+        assert three[-1] < three[0]
     assert unit_of("gyro scale x") == (micro, "ppm")
     assert unit_of("accelerometer installation xy")[1] == "arc seconds"
 
@@ -181,12 +185,10 @@ def test_table_observability_draws_zero_for_the_unobservable(figure: PublishedFi
     data = figure.data
     assert data.unobservable == 3
     assert (data.eigenvalues[:3] < 1e-21).all()
-    assert (
-        figure.table()["eigenvalue_relative"][:3] == table_observability_figure.DRAWN_ZERO
-    ).all()
+    assert (data.eigenvalue_relative[:3] == DRAWN_ZERO).all()
     assert data.eigenvalues[3] > 1e-10
     assert len(data.descriptions) == 3
-    drawn = table_observability_figure.TableObservabilityPicture()
+    drawn = TableObservabilityPicture()
     drawn.update(data)
     assert len(drawn.unobservable.get_xdata()) == 3
     assert len(drawn.bright.get_xdata()) == 27

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import UNITS, DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import box, circle
@@ -18,7 +19,7 @@ from driftlab.checks import FloatArray
 from driftlab.earth import earth_rate
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
 
-from .experiments import SchemeRun, scheme_run, unit_of
+from .experiments import scheme_run, state_unit
 
 PLAYED = {
     "19 positions": NINETEEN_POSITIONS,
@@ -28,21 +29,14 @@ PLAYED = {
 }
 GYROS = ("gyro bias", "gyro scale", "gyro non-orthogonality")
 ACCELEROMETERS = ("accelerometer bias", "accelerometer scale", "accelerometer installation")
-SIGNS = {"deg/h": "°/h", "arc seconds": "″"}
 COLOURS = ("good", "second", "third", "ghost", "gyro", "soft")
 """Styles of x, y and z; and of the others, if there are six."""
 HALF_SIZE = 0.5
 """Of the cube."""
 OUTSIDE, REACH = 0.95, 1.45
 """Where arrows begin and end that stand still while the cube turns inside them."""
-
-
-class Known(NamedTuple):
-    """A scheme as it is played, and the errors whose deviations are looked at."""
-
-    run: SchemeRun
-    gyro: str
-    accelerometer: str
+Known = tuple[DataTable, str, str]
+"""A scheme as it is played, and the kinds of errors of both triads that are looked at."""
 
 
 def states_of(kind: str, names: tuple[str, ...]) -> list[int]:
@@ -54,7 +48,7 @@ class TurningTableView(SceneView):
     """The cube as the table turns it, and how well its errors are known by then."""
 
     def stage(self, data: Known) -> Stage:
-        run = data.run
+        run, *kinds = data
         positions = (len(run.doings) + 1) // 2
         earth = earth_rate(TABLE_LATITUDE)
         return Stage(
@@ -76,18 +70,18 @@ class TurningTableView(SceneView):
                     reach=1.7,
                 ),
             ),
-            plots=(known_plot(run, data.gyro), known_plot(run, data.accelerometer)),
+            plots=tuple(known_plot(run, kind) for kind in kinds),
             readouts=(
-                Readout("the table", run.doing.astype(float), words=run.doings),
-                Readout("since the start", run.minutes, 1, " min"),
+                Readout("the table", run.doing.astype(float), words=tuple(run.doings)),
+                Readout("since the start", run.shown("time"), 1, " min"),
             ),
         )
 
 
-def known_plot(run: SchemeRun, kind: str) -> Plot:
+def known_plot(run: DataTable, kind: str) -> Plot:
     """Deviations of the errors of one kind, over as many decades for each scheme."""
     states = states_of(kind, run.names)
-    size, unit = unit_of(kind)
+    size, sign = UNITS[state_unit(kind)]
     values = np.log10(run.deviations[:, states] / size)
     usual = np.log10(scheme_run().deviations[:, states] / size)
     low, high = min(values.min(), usual.min()), max(values.max(), usual.max())
@@ -96,7 +90,7 @@ def known_plot(run: SchemeRun, kind: str) -> Plot:
         Curve(run.names[state].removeprefix(kind).strip(), column, style)
         for state, column, style in zip(states, values.T, COLOURS, strict=False)
     )
-    title = f"{kind}: known within (one deviation), {SIGNS.get(unit, unit)}"
+    title = f"{kind}: known within (one deviation), {sign.strip()}"
     return Plot(title, tuple(curves), low - margin, high + margin, decades=True)
 
 
@@ -168,18 +162,18 @@ class TurningTable(SceneExplorer):
 
     def compute(self, values: Values) -> Known:
         run = scheme_run(PLAYED[values["scheme"]])
-        return Known(run, values["gyro"], values["accelerometer"])
+        return run, values["gyro"], values["accelerometer"]
 
     def numbers(self, data: Known) -> Results:
-        run = data.run
+        run, *kinds = data
         before, after = run.deviations[0, 6:], run.deviations[-1, 6:]
         known = int(np.sum(after < 0.1 * before))
         rows = []
-        for kind in (data.gyro, data.accelerometer):
-            size, unit = unit_of(kind)
+        for kind in kinds:
+            size, sign = UNITS[state_unit(kind)]
             worst = max(states_of(kind, run.names), key=lambda i: after[i - 6])
             rows.append((
-                f"{run.names[worst]}, {SIGNS.get(unit, unit)}",
+                f"{run.names[worst]}, {sign.strip()}",
                 *(number_text(row[worst - 6] / size) for row in (before, after)),
             ))  # fmt: skip
         return Results(

@@ -1,15 +1,14 @@
 """One calibration of the typical unit by the 27-state filter, and what it says of each error."""
 
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
-from scipy.constants import arcsecond, degree, g, hour, micro
 
+from driftlab.book.machinery.data_table import UNITS, DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.simulation import TableTrial, Trial
-from driftlab.checks import FloatArray, whole_number
+from driftlab.calibration import ERROR_MODELS, TableTrial, Trial
+from driftlab.checks import whole_number
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
@@ -25,42 +24,27 @@ PARAMETERS = (
 )
 """The 21 sensor errors of a model whose axes the gyros fix. What the three off-diagonal entries
 of the gyros are depends on the axes."""
-UNITS = (
-    ("gyro bias", degree / hour, "deg/h"),
-    ("gyro scale", micro, "ppm"),
-    ("gyro", arcsecond, "arc seconds"),
-    ("accelerometer bias", micro * g, "µg"),
-    ("accelerometer scale", micro, "ppm"),
-    ("accelerometer", arcsecond, "arc seconds"),
+STATE_UNITS = (
+    ("gyro bias", "deg_per_h"),
+    ("gyro scale", "ppm"),
+    ("gyro", "arcsec"),
+    ("accelerometer bias", "ug"),
+    ("accelerometer scale", "ppm"),
+    ("accelerometer", "arcsec"),
 )
-"""Beginning of a state's name, its unit in SI, and the unit's name; the first that fits."""
+"""Beginning of a state's name, and its unit in `UNITS`; the first that fits."""
+UNIT_NAMES = {"deg_per_h": "deg/h", "arcsec": "arc seconds", "ug": "µg"}
+
+
+def state_unit(name: str) -> str:
+    """Return the unit, one of `UNITS`, in which a sensor error is usually given."""
+    return next(unit for start, unit in STATE_UNITS if name.startswith(start))
 
 
 def unit_of(name: str) -> tuple[float, str]:
     """Size in SI and name of the unit in which a sensor error is usually given."""
-    return next((size, unit) for start, size, unit in UNITS if name.startswith(start))
-
-
-class CalibrationRun(NamedTuple):
-    """History of one sensor error; all values in SI units."""
-
-    name: str  # as the error model calls it
-    times: FloatArray  # (k,), s
-    estimate: FloatArray  # (k,)
-    true: float
-    before: float  # standard deviation before the calibration
-    deviation: FloatArray  # (k,), standard deviation that the filter states
-    shown: int  # index of the moment whose numbers are wanted
-
-
-class CalibrationErrors(NamedTuple):
-    """Histories of all sensor errors, in states of the averaged axes and SI units."""
-
-    names: tuple[str, ...]
-    positions: int  # pauses of the scheme
-    times: FloatArray  # (k,), s
-    errors: FloatArray  # (k, 21), true value less estimate
-    deviations: FloatArray  # (k, 21), standard deviations that the filter states
+    unit = state_unit(name)
+    return UNITS[unit][0], UNIT_NAMES.get(unit, unit)
 
 
 @lru_cache(maxsize=8)
@@ -90,29 +74,43 @@ def _calibrated(
 
 def calibration_history(
     parameter: str = "gyro bias x", frame: str = "averaged", minute: float = 40.0
-) -> CalibrationRun:
+) -> DataTable:
     """Return the history of one sensor error in the calibration of the typical unit.
 
-    The gyros must fix the body axes; the moment nearest to `minute` is the one that is `shown`.
+    The gyros must fix the body axes; the facts are those of the moment nearest to `minute`.
     """
     if parameter not in PARAMETERS:
         raise ValueError(f"parameter: expected one of {', '.join(PARAMETERS)}, got {parameter!r}.")
     found = typical_trial(frame)
-    model = ERROR_MODELS[frame]
+    model, calibration = ERROR_MODELS[frame], found.calibration
     state = 6 + PARAMETERS.index(parameter)
-    calibration = found.calibration
-    estimate = calibration.state[:, state]
+    estimate, deviation = calibration.state[:, state], calibration.deviations[:, state]
+    true = float(estimate[-1] + found.errors[-1, state])
+    error = true - estimate
     table = TableTrial(frame=frame)
-    before = model.covariance(table.prior, table.scheme.start_attitude)
-    return CalibrationRun(
-        model.names[state],
-        calibration.times,
-        estimate,
-        float(estimate[-1] + found.errors[-1, state]),
-        float(np.sqrt(before[state, state])),
-        calibration.deviations[:, state],
-        int(np.abs(calibration.times / 60 - minute).argmin()),
-    )
+    before = np.sqrt(model.covariance(table.prior, table.scheme.start_attitude)[state, state])
+    at = int(np.abs(calibration.times / 60 - minute).argmin())
+    name = model.names[state]
+    unit = state_unit(name)
+    return DataTable(
+        {
+            "time": (calibration.times, "min", "since the start"),
+            "error": (error, unit, "true value less estimate"),
+            "error_over_before": (
+                np.abs(error) / before, "", "size of the error, in deviations known before"
+            ),
+            "bound_over_before": (3 * deviation / before, "", "three deviations, likewise"),
+            "error_over_deviation": (error / deviation, "", "error, in deviations stated"),
+        },
+        {
+            "name": (name, "", "in these body axes"),
+            "error_now": (error[at], unit, "error at this moment"),
+            "true": (true, unit, "true"),
+            "estimate": (estimate[at], unit, "estimate"),
+            "three_deviations": (3 * deviation[at], unit, "three deviations"),
+            "moment": (calibration.times[at], "min", "moment"),
+        },
+    )  # fmt: skip
 
 
 def calibration_errors(
@@ -121,14 +119,21 @@ def calibration_errors(
     frame: str = "averaged",
     latitude: float = TABLE_LATITUDE,
     seed: int = SEED,
-) -> CalibrationErrors:
+) -> DataTable:
     """Return the histories of all sensor errors in one calibration by the filter of 27 states."""
     found = trial_of(frame, imu_errors, scheme, latitude, seed)
     calibration = found.calibration
-    return CalibrationErrors(
-        calibration.model.names[6:],
-        scheme.positions,
-        calibration.times,
-        found.errors[:, 6:],
-        calibration.deviations[:, 6:],
+    names = calibration.model.names
+    columns: dict[str, tuple[Any, ...]] = {"time": (calibration.times, "min", "since the start")}
+    for i, name in enumerate(names[6:], 6):
+        columns[f"error, {name}"] = (np.abs(found.errors[:, i]), state_unit(name))
+        columns[f"three_deviations, {name}"] = (
+            3 * calibration.deviations[:, i], state_unit(name)
+        )  # fmt: skip
+    return DataTable(
+        columns,
+        {
+            "names": (names[6:], "", "of the sensor errors"),
+            "positions": (scheme.positions, "", "pauses of the scheme"),
+        },
     )

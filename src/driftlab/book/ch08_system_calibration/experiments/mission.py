@@ -1,46 +1,25 @@
 """Where constant residuals lead: position along hours of rest, by cause and by mode."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.calibration.error_budget import MissionErrors
-from driftlab.calibration.static_error_growth import STATIC_CAUSES, static_error_modes
-from driftlab.checks import FloatArray
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.calibration import MissionErrors, static_error_modes
 
 POINTS = 361
 DAY = 86400.0
 
 
-class Mission(NamedTuple):
-    """Errors of a unit at rest, and the parts that they are made of."""
-
-    times: FloatArray  # (k,), s
-    position: FloatArray  # (k, 2), East and North, m
-    slow: FloatArray  # (k, 2), the same without Schuler's swing
-    heading: FloatArray  # (k,), rad
-    # (12, 4), position by cause, m: the distance at the end, how far a line leads in a day, and the
-    # amplitudes of the terms of 24 hours and of Schuler's swing; of an ellipse, the root of the sum
-    # of squares of its half axes
-    parts: FloatArray
-
-    @property
-    def rate(self) -> float:
-        """Slope of the line through the start that fits the distance best, m/s."""
-        errors = MissionErrors(self.times, self.position, self.heading)
-        return float(errors.radial_error_rate)
-
-    def sizes(self) -> list[tuple[str, FloatArray]]:
-        """Parts of the causes that a reader can set, under short names; without those of zero."""
-        chosen = [7, 8, 9, 10, 11, 0, 1, 2]
-        short = {"accelerometer": "acc.", "attitude": "tilt"}
-        names = [" ".join(short.get(word, word) for word in name.split()) for name in STATIC_CAUSES]
-        names[2] = "azimuth"
-        return [(names[i], self.parts[i]) for i in chosen if self.parts[i].any()]
+SETTABLE = {
+    **{7: "gyro bias East", 8: "gyro bias North", 9: "gyro bias Up"},
+    **{10: "acc. bias East", 11: "acc. bias North"},
+    **{0: "tilt East", 1: "tilt North", 2: "azimuth"},
+}
+"""Causes that a reader can set: their place in `STATIC_CAUSES`, and a short name."""
 
 
-def mission(causes: Sequence[float], latitude: float, duration: float) -> Mission:
+def mission(causes: Sequence[float], latitude: float, duration: float) -> DataTable:
     """Let a unit with these causes of error rest.
 
     They are in the order of `STATIC_CAUSES`, SI units.
@@ -62,4 +41,24 @@ def mission(causes: Sequence[float], latitude: float, duration: float) -> Missio
         axis=-1,
     )
     slow = each[:3].sum(axis=(0, -1))
-    return Mission(times, states[:, 5:], slow[:, 5:], states[:, 2], parts)
+    position, heading = states[:, 5:], states[:, 2]
+    rate = float(MissionErrors(times, position, heading).radial_error_rate)
+    shown = [i for i in SETTABLE if parts[i].any()]
+    axes = ("East", "North")
+    return DataTable(
+        {
+            "time": (times, "h", "since the start"),
+            "position": (position.T, "nmi", "error along each axis", axes),
+            "slow": (slow[:, 5:].T, "nmi", "the same without Schuler's swing", axes),
+            "end": (position[-1:].T, "nmi", "position error at the end", axes),
+        },
+        {
+            "heading": (heading[-1], "arcmin", "heading error at the end"),
+            "rate": (rate, "m_per_s", "slope of the line from the start that fits the distance"),
+            "causes": ([SETTABLE[i] for i in shown], "", "that are not zero"),
+            # of each of them: the distance at the end, how far a line leads in a day, and the
+            # amplitudes of the terms of 24 hours and of Schuler's swing; of an ellipse, the root of
+            # the sum of squares of its half axes
+            "parts": (parts[shown], "nmi", "of the position error"),
+        },
+    )

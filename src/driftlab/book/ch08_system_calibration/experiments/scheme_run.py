@@ -1,16 +1,12 @@
 """A rotation scheme as it is played: how the body stands, and how well its errors are known."""
 
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration.covariance import deviation_history
-from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.linearization import linearize_along
-from driftlab.checks import FloatArray
+from driftlab.calibration import ERROR_MODELS, deviation_history, linearize_along
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import DIRECTIONS, NINETEEN_POSITIONS, Scheme
 from driftlab.motion.turntable import Segment, segments
@@ -20,26 +16,12 @@ MOMENTS = 12
 """Of each pause, and of each turn."""
 
 
-class SchemeRun(NamedTuple):
-    """A scheme at n moments: as many in a turn as in a pause, though a pause is much longer."""
-
-    # (n,), in the row of positions: k in the middle of pause k, k + 1/2 in the middle of the turn
-    # that follows it
-    place: FloatArray
-    minutes: FloatArray  # (n,), since the start
-    attitude: FloatArray  # (n, 4), body to East, North, Up
-    doings: tuple[str, ...]  # what the table does, pause or turn, one after the other
-    doing: NDArray[np.integer]  # (n,), which of `doings` it is
-    names: tuple[str, ...]  # of the 27 states in averaged axes
-    deviations: FloatArray  # (n, 27), expected standard deviations of the states, SI units
-
-
 @lru_cache(maxsize=8)
-def scheme_run(scheme: Scheme = NINETEEN_POSITIONS) -> SchemeRun:
+def scheme_run(scheme: Scheme = NINETEEN_POSITIONS) -> DataTable:
     """Follow a scheme, and the covariance of a filter that sees the velocity once a second.
 
-    The unit has the typical spread of errors, the sensors the typical noise. The last runs are
-    kept.
+    There are as many moments in a turn as in a pause, though a pause is much longer. The unit has
+    the typical spread of errors, the sensors the typical noise. The last runs are kept.
     """
     way = linearize_along(scheme, TABLE_LATITUDE, ERROR_MODELS["averaged"])
     known = deviation_history(way, ImuNoise(), PriorDeviations())
@@ -52,15 +34,24 @@ def scheme_run(scheme: Scheme = NINETEEN_POSITIONS) -> SchemeRun:
     turned = np.array([segment.rate * segment.axis for segment in row])[doing]
     at_first = np.array([segment.attitude for segment in row])[doing]
     times = begins[doing] + since
-    return SchemeRun(
-        0.75 + step / (2 * MOMENTS),
-        times / 60,
-        multiply(at_first, from_rotation_vector(turned * since[:, np.newaxis])),
-        tuple(doing_of(segment) for segment in row),
-        doing,
-        way.model.names,
-        np.stack([np.interp(times, known_at, column) for column in known.T], axis=-1),
-    )
+    attitude = multiply(at_first, from_rotation_vector(turned * since[:, np.newaxis]))
+    return DataTable(
+        {
+            # k in the middle of pause k, k + 1/2 in the middle of the turn that follows it
+            "place": (0.75 + step / (2 * MOMENTS), "", "in the row of positions"),
+            "time": (times, "min", "since the start"),
+            "doing": (doing, "", "which of the doings it is"),
+        },
+        {
+            "attitude": (attitude, "", "body to East, North, Up"),
+            "doings": ([doing_of(each) for each in row], "", "pauses and turns, one by one"),
+            "names": (way.model.names, "", "of the 27 states in averaged axes"),
+            "deviations": (
+                np.stack([np.interp(times, known_at, column) for column in known.T], axis=-1), "",
+                "expected standard deviations of the states, SI units",
+            ),
+        },
+    )  # fmt: skip
 
 
 def doing_of(segment: Segment) -> str:

@@ -2,19 +2,24 @@
 
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration.covariance import covariance_analysis
-from driftlab.calibration.error_model import FULL, ErrorModel, error_model_for
-from driftlab.calibration.linearization import LinearizedErrors, checked_model, linearize_along
-from driftlab.calibration.observability import (
+from driftlab.calibration import (
+    FULL,
+    ErrorModel,
+    LinearizedErrors,
     UnobservableSubspace,
+    checked_model,
+    covariance_analysis,
+    error_model_for,
+    linearize_along,
     unobservable_subspace,
 )
-from driftlab.checks import FloatArray, checked_instance, finite_number
+from driftlab.checks import checked_instance, finite_number
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
 from driftlab.motion.turntable import table_trajectory
@@ -22,37 +27,37 @@ from driftlab.quaternion import conjugate, rotate
 
 TYPICAL_NOISE = ImuNoise()
 """Of the sensors and of the reference velocity."""
+DRAWN_ZERO = 1e-13
+"""Where zero is drawn: below all eigenvalues that are none, so that these have the room."""
 
 
-class SchemeDirections(NamedTuple):
-    """For each scheme, Up in body axes over time."""
-
-    names: list[str]
-    schemes: list[Scheme]
-    times: list[FloatArray]  # (n,) each, s
-    up: list[FloatArray]  # (n, 3) each
+def short_name(name: str) -> str:
+    """Return the name of a sensor error as an axis has it, the same for all choices of states."""
+    words = name.replace("accelerometer", "acc.").split()
+    return " ".join(word for word in words if word not in ("installation", "non-orthogonality"))
 
 
-class TableObservability(NamedTuple):
-    """What one scheme shows of the states of one error model."""
-
-    names: tuple[str, ...]  # of the states
-    positions: int  # pauses of the scheme
-    eigenvalues: FloatArray  # (size,), of the Gramian, ascending, relative to the largest
-    unobservable: int  # how many of them are zero
-    descriptions: list[str]  # which directions they belong to
-    before: FloatArray  # (size,), standard deviations of the states known before the scheme, SI
-    after: FloatArray  # (size,), expected after it, SI
+SLOTS = [short_name(name) for name in FULL.names[6:]]
+"""The sensor errors along an axis that has room for all of them."""
 
 
-def up_in_body_axes(schemes: Sequence[Scheme] = tuple(SCHEMES.values())) -> SchemeDirections:
+def up_in_body_axes(schemes: Sequence[Scheme] = tuple(SCHEMES.values())) -> DataTable:
     """Compute which way is up in the body along rotation schemes, once a second."""
-    times, up = [], []
-    for scheme in schemes:
+    columns: dict[str, tuple[Any, ...]] = {}
+    names = [scheme_name(each) for each in schemes]
+    for name, scheme in zip(names, schemes, strict=True):
         attitude = table_trajectory(scheme, 0.0, 1.0).attitude
-        times.append(np.arange(len(attitude), dtype=np.float64))
-        up.append(rotate(conjugate(attitude), [0.0, 0.0, 1.0]))
-    return SchemeDirections([scheme_name(each) for each in schemes], [*schemes], times, up)
+        up = rotate(conjugate(attitude), [0.0, 0.0, 1.0]).T
+        columns[f"time, {name}"] = (np.arange(len(attitude), dtype=np.float64), "min")
+        columns[f"up, {name}"] = (up, "", "along each body axis", ("x", "y", "z"), 6)
+    return DataTable(
+        columns,
+        {
+            "names": (names, "", "of the schemes"),
+            "pauses": ([each.dwell for each in schemes], "s", "length of each pause"),
+            "rates": ([each.rate for each in schemes], "deg_per_s", "of the turns"),
+        },
+    )
 
 
 def scheme_name(scheme: Scheme) -> str:
@@ -67,7 +72,7 @@ def states_on_a_table(
     frame: str | None = None,
     noise: ImuNoise = TYPICAL_NOISE,
     latitude: float = TABLE_LATITUDE,
-) -> TableObservability:
+) -> DataTable:
     """Follow the error equations along a scheme, with all 30 states or those of some body axes."""
     checked_instance(scheme, Scheme, "scheme")
     checked_instance(noise, ImuNoise, "noise")
@@ -80,20 +85,39 @@ def table_observability(
     model: ErrorModel = FULL,
     noise: ImuNoise | None = None,
     latitude: float = TABLE_LATITUDE,
-) -> TableObservability:
+) -> DataTable:
     """Follow the error equations of a model along a scheme; units have the typical spread."""
     way, unobservable = _followed(scheme, finite_number(latitude, "latitude"), checked_model(model))
     prior = PriorDeviations()
     covariance = covariance_analysis(way, ImuNoise() if noise is None else noise, prior)
-    return TableObservability(
-        model.names,
-        scheme.positions,
-        unobservable.eigenvalues / unobservable.eigenvalues[-1],
-        len(unobservable.directions),
-        list(unobservable.descriptions),
-        np.sqrt(np.diag(model.covariance(prior, way.start))),
-        np.sqrt(np.diag(covariance)),
-    )
+    before = np.sqrt(np.diag(model.covariance(prior, way.start)))
+    after = np.sqrt(np.diag(covariance))
+    # One where nothing was known or to be known.
+    ratios = np.divide(after, before, out=np.ones_like(after), where=before > 0)
+    eigenvalues = unobservable.eigenvalues / unobservable.eigenvalues[-1]
+    hidden = np.arange(len(eigenvalues)) < len(unobservable.directions)
+    sensor_errors = list(model.names[6:])
+    return DataTable(
+        {
+            "direction": (np.arange(1.0, len(eigenvalues) + 1), "", "by its eigenvalue"),
+            "eigenvalue_relative": (
+                np.where(hidden, DRAWN_ZERO, np.maximum(eigenvalues, DRAWN_ZERO)), "",
+                "of the Gramian, over the largest; zero as it is drawn",
+            ),
+            "direction_is": (["not observable" if each else "observable" for each in hidden],),
+            "sensor_error": (sensor_errors,),
+            "deviation_after_over_before": (ratios[6:], "", "what is left of each sensor error"),
+        },
+        {
+            "positions": (scheme.positions, "", "pauses of the scheme"),
+            "unobservable": (len(unobservable.directions), "", "directions not observable"),
+            "eigenvalues": (eigenvalues, "", "ascending, relative to the largest"),
+            "descriptions": (list(unobservable.descriptions), "", "of what is not observable"),
+            "names": (model.names, "", "of the states"),
+            "after": (after, "", "standard deviations of the states after the scheme, SI units"),
+            "place": ([SLOTS.index(short_name(name)) for name in sensor_errors], "", "in SLOTS"),
+        },
+    )  # fmt: skip
 
 
 @lru_cache(maxsize=1)

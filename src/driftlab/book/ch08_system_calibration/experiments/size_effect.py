@@ -18,7 +18,7 @@ from .calibration import SEED
 
 ARM = 0.03
 """m: each accelerometer lies so far out on its own axis."""
-SIZES = (0.003, 0.01, 0.02, 0.03, 0.05, 0.1)
+ARM_SIZES = (0.003, 0.01, 0.02, 0.03, 0.05, 0.1)
 """Arms, m."""
 RATES = (5.0, 10.0, 20.0)
 """Of the table, deg/s."""
@@ -76,7 +76,7 @@ def unit_with_arms(
 
 def size_effect(
     arm: float = ARM,
-    sizes: Sequence[float] = SIZES,
+    sizes: Sequence[float] = ARM_SIZES,
     rates: Sequence[float] = tuple(np.radians(RATES).tolist()),
     dwell: float = TABLE.scheme.dwell,
     seed: int = SEED,

@@ -1,6 +1,6 @@
 """The published figures of chapter 08, with their captions."""
 
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.publish import FigureDefinition, table_figure
 
 from .. import experiments
 from . import (
@@ -16,31 +16,23 @@ from . import (
 )
 
 FIGURES = (
-    FigureDefinition(
+    table_figure(
         "08-scheme-directions",
         experiments.up_in_body_axes,
         scheme_directions.draw,
-        scheme_directions.columns,
         scheme_directions.caption,
     ),
-    FigureDefinition(
+    table_figure(
         "08-table-observability",
         experiments.states_on_a_table,
         table_observability.TableObservabilityPicture.draw,
-        table_observability.columns,
         table_observability.caption,
     ),
-    FigureDefinition(
+    table_figure(
         "08-calibration-errors",
         experiments.calibration_errors,
         calibration_errors.draw,
-        calibration_errors.columns,
-        lambda data: (
-            f"A unit on {data.positions} positions, published for the typical one: size of the "
-            f"error of each of the {len(data.names)} sensor errors, and three standard deviations "
-            "as the filter states them. A parameter becomes known when the right axis is turned or "
-            "points up."
-        ),
+        calibration_errors.caption,
     ),
     FigureDefinition(
         "08-designed-scheme",

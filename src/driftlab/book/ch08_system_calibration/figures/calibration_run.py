@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from matplotlib.axes import Axes
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above
-from driftlab.calibration.simulation import TableTrial
-from driftlab.motion.scheme import SCHEMES
-
-from ..experiments import CalibrationRun, up_in_body_axes
+from driftlab.calibration import TableTrial
+from driftlab.motion.turntable import segments
+from driftlab.quaternion import conjugate, rotate
 
 BOTTOMS = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5)
 """Where the axis of the sizes may begin."""
@@ -32,17 +32,14 @@ class Pause(NamedTuple):
 def pauses() -> tuple[Pause, ...]:
     """Return what the table does in the calibrations of the chapter."""
     scheme = TableTrial().scheme
-    directions = up_in_body_axes()
-    up = directions.up[list(SCHEMES.values()).index(scheme)]
-    found, begin = [], 0.0
-    words = [*scheme.rotations.split(), ""]
-    for word, (_, angle) in zip(words, [*scheme.turns, (None, 0.0)], strict=True):
-        end = begin + scheme.dwell
-        x = up[round(begin + 0.5 * scheme.dwell)]
-        axis = int(np.abs(x).argmax())
-        name = ("+" if x[axis] > 0 else "−") + "xyz"[axis]
-        found.append(Pause(begin / 60, end / 60, name, word))
-        begin = end + abs(angle) / scheme.rate
+    row = segments(scheme, 1e-3)  # pauses and turns by turns
+    ends = np.cumsum([segment.duration for segment in row]) / 60
+    found = []
+    for k, word in enumerate([*scheme.rotations.split(), ""]):
+        up = rotate(conjugate(row[2 * k].attitude), [0.0, 0.0, 1.0])
+        axis = int(np.abs(up).argmax())
+        name = ("+" if up[axis] > 0 else "−") + "xyz"[axis]
+        found.append(Pause(ends[2 * k] - scheme.dwell / 60, ends[2 * k], name, word))
     return tuple(found)
 
 
@@ -52,7 +49,7 @@ def table_says(minute: float) -> str:
     return f"rests, {last.up} up" if minute <= last.end else f"turns {last.rotation}"
 
 
-class CalibrationRunPicture(Picture[CalibrationRun]):
+class CalibrationRunPicture(Picture[DataTable]):
     """Size of the error beside three deviations, the error in deviations, and the table."""
 
     size = (10.5, 4.4)
@@ -78,9 +75,10 @@ class CalibrationRunPicture(Picture[CalibrationRun]):
         table.grid(visible=False)
         table.tick_params(labelbottom=False, bottom=False)
         self._say_what_the_table_does(table)
-        self.error = self.line(size, **SERIES[0], label="error")
-        self.bound = self.line(size, **SERIES[1], label="three deviations stated")
-        self.ratio = self.line(ratio, **SERIES[0])
+        self.curve(size, "time", "error_over_before", **SERIES[0], label="error")
+        stated = "three deviations stated"
+        self.curve(size, "time", "bound_over_before", **SERIES[1], label=stated)
+        self.curve(ratio, "time", "error_over_deviation", **SERIES[0])
         self.marks = [
             self.line(panel, color=BLACK, linewidth=1.2, linestyle=(0, (2, 2)))
             for panel in (size, ratio, table)
@@ -97,19 +95,15 @@ class CalibrationRunPicture(Picture[CalibrationRun]):
             table.text((begin + end) / 2, 0.7, up, fontsize=axis, **middle)
             table.text(end, 0.25, rotation, fontsize=turn, rotation=upright, **middle)
 
-    def update(self, data: CalibrationRun) -> None:
-        minutes = data.times / 60
-        error = data.true - data.estimate
-        self.error.set_data(minutes, np.abs(error) / data.before)
-        self.bound.set_data(minutes, 3 * data.deviation / data.before)
-        self.ratio.set_data(minutes, error / data.deviation)
-        least = (3 * data.deviation / data.before).min()
-        low = next((step for step in BOTTOMS if step <= 0.1 * least), BOTTOMS[-1])
+    def update(self, table: DataTable) -> None:
+        self.show(table)
+        least = 0.1 * table.bound_over_before.min()
+        low = next((step for step in BOTTOMS if step <= least), BOTTOMS[-1])
         self.set_limits(self.size_axes, "y", low, 10.0)
-        farthest = float(np.abs(error / data.deviation).max())
+        farthest = float(np.abs(table.error_over_deviation).max())
         reach = next((step for step in (3.3, 4.2, 6.0) if farthest <= step), 10.0)
         self.set_limits(self.ratio_axes, "y", -reach, reach)
-        here = minutes[data.shown]
+        here = table.shown("moment")
         for mark, axes in zip(
             self.marks, (self.size_axes, self.ratio_axes, self.table_axes), strict=True
         ):

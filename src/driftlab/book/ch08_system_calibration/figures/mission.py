@@ -2,18 +2,10 @@
 
 import numpy as np
 from matplotlib.ticker import MaxNLocator
-from scipy.constants import hour, nautical_mile
+from scipy.constants import nautical_mile
 
-from driftlab.book.machinery.picture import (
-    BLACK,
-    GREY,
-    GUIDE,
-    SERIES,
-    Picture,
-    legend_above,
-)
-
-from ..experiments import Mission
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, Picture, legend_above
 
 REACHES = tuple(k * 10.0**power for power in range(-2, 5) for k in (1, 2, 5))
 """Of the axes, nautical miles."""
@@ -22,7 +14,7 @@ LINEAR = 400e3
 """Distance up to which linear equations may do, m: a sixteenth of the Earth's radius."""
 
 
-class MissionPicture(Picture[Mission]):
+class MissionPicture(Picture[DataTable]):
     """East and North over the hours, with and without Schuler's swing; and East against North."""
 
     size = (10.5, 3.9)
@@ -40,22 +32,18 @@ class MissionPicture(Picture[Mission]):
         for axis in (chart.xaxis, chart.yaxis):
             axis.set_major_locator(MaxNLocator(4))
         over_time.axhline(0.0, color=BLACK, linewidth=0.8, label=GUIDE)
-        names = ("East", "North")
-        self.lines = [
-            self.line(over_time, **style, label=name)
-            for name, style in zip(names, SERIES, strict=False)
-        ]
-        self.slow = [
-            self.line(over_time, color=GREY, linewidth=1.4, linestyle=":", label=label)
-            for label in ("without Schuler's swing", "_")
-        ]
-        self.way = self.line(chart, color=SERIES[0]["color"], linewidth=1.3)
+        for name, style in zip(("East", "North"), SERIES, strict=False):
+            self.curve(over_time, "time", f"position, {name}", **style, label=name)
+        slow = {"color": GREY, "linewidth": 1.4, "linestyle": ":"}
+        self.curve(over_time, "time", "slow, East", **slow, label="without Schuler's swing")
+        self.curve(over_time, "time", "slow, North", **slow, label="_")
+        way = "position, East", "position, North"
+        self.curve(chart, *way, color=SERIES[0]["color"], linewidth=1.3)
         begin, end = (5, 3.5) if self.sheet.on_paper else (8, 5)
         chart.plot(0.0, 0.0, color=BLACK, marker="s", markersize=begin, markerfacecolor="none",
                    linestyle="none", label="start")  # fmt: skip
-        self.end = self.line(
-            chart, color=BLACK, marker="o", markersize=end, linestyle="none", label="end"
-        )
+        self.curve(chart, "end, East", "end, North", color=BLACK, marker="o", markersize=end,
+                   linestyle="none", label="end")  # fmt: skip
         chart.legend(loc="upper right", fontsize="small" if self.sheet.on_paper else 8)
         self.too_far = self.words(
             over_time, transform=over_time.transAxes, ha="left", va="top",
@@ -64,24 +52,19 @@ class MissionPicture(Picture[Mission]):
         self.too_far.set_position((0.02, 0.97))
         legend_above(over_time, 3)
 
-    def update(self, data: Mission) -> None:
-        hours, position = data.times / hour, data.position / nautical_mile
-        for line, values in zip(self.lines, position.T, strict=True):
-            line.set_data(hours, values)
-        for line, values in zip(self.slow, data.slow.T / nautical_mile, strict=True):
-            line.set_data(hours, values)
-        self.way.set_data(*position.T)
-        self.end.set_data(position[-1:, 0], position[-1:, 1])
-        far = np.linalg.norm(data.position, axis=-1).max() > LINEAR
+    def update(self, table: DataTable) -> None:
+        self.show(table)
+        far = np.linalg.norm(table.position, axis=0).max() > LINEAR
         between = "\n" if self.sheet.narrow else " "
         there = f"beyond {LINEAR / nautical_mile:.0f} nmi"
         beyond = f"{there}{between}the linear equations no longer hold"
         self.too_far.set_text(beyond if far else "")
-        reach = max(float(abs(position).max()), float(abs(data.slow).max() / nautical_mile))
+        both = np.stack([table.shown("position"), table.shown("slow")])
+        reach = np.abs(both).max()
         step = next((step for step in REACHES if reach <= step), REACHES[-1])
-        last = next(step for step in HOURS if hours[-1] <= step)
+        hours = table.shown("time")[-1]
+        last = next(step for step in HOURS if hours <= step)
         self.set_limits(self.over_time, "x", 0.0, last)
-        both = np.concatenate([position, data.slow / nautical_mile])
         self.set_reach(self.over_time, "y", both, (step,))
         for direction in "xy":
             self.set_limits(self.chart, direction, -step, step)

@@ -2,39 +2,22 @@
 
 import numpy as np
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.picture import BLACK, BLUE, GREY, GUIDE, VERMILION, Picture
-from driftlab.calibration.error_model import FULL
-from driftlab.checks import FloatArray
 
-from ..experiments import TableObservability
+from ..experiments import DRAWN_ZERO, SLOTS
 
 DARK_GREY = "#5c5c5c"
-DRAWN_ZERO = 1e-13
-"""Where zero is drawn: below all eigenvalues that are none, so that these have the room."""
 
 
-def columns(data: TableObservability) -> dict[str, FloatArray | list[str]]:
-    """Columns of the figure's CSV; zero as it is drawn."""
-    values = _drawn(data)
-    count = len(values)
-    return {
-        "direction": np.arange(1.0, count + 1),
-        "eigenvalue_relative": values,
-        "direction_is": ["not observable" if k < data.unobservable else "observable"
-                         for k in range(count)],
-        "sensor_error": list(data.names[6:]),
-        "deviation_after_over_before": _ratios(data)[6:],
-    }  # fmt: skip
-
-
-def caption(data: TableObservability) -> str:
+def caption(table: DataTable) -> str:
     """Say how many eigenvalues are zero, and how many sensor errors become known."""
-    zeros = "1 eigenvalue of the Gramian is" if data.unobservable == 1 else (
-        f"{data.unobservable} eigenvalues of the Gramian are"
+    zeros = "1 eigenvalue of the Gramian is" if table.unobservable == 1 else (
+        f"{table.unobservable} eigenvalues of the Gramian are"
     )  # fmt: skip
-    ratios = _ratios(data)[6:]
+    ratios = table.deviation_after_over_before
     return (
-        f"{len(data.names)} states on {data.positions} positions. Left: {zeros} zero but for "
+        f"{len(table.names)} states on {table.positions} positions. Left: {zeros} zero but for "
         "rounding (crosses). Right: what is left of the deviation of each sensor error; "
         f"{np.count_nonzero(ratios < 0.1)} of {len(ratios)} become known to a tenth or better. "
         "Published for all 30 states on the nineteen positions: there biases and scale errors "
@@ -42,20 +25,7 @@ def caption(data: TableObservability) -> str:
     )
 
 
-def _drawn(data: TableObservability) -> FloatArray:
-    """Eigenvalues, those of directions that are not observable as `DRAWN_ZERO`."""
-    values = np.maximum(data.eigenvalues, DRAWN_ZERO)
-    values[: data.unobservable] = DRAWN_ZERO
-    return values
-
-
-def _ratios(data: TableObservability) -> FloatArray:
-    """Deviation after the scheme over that before; one where nothing was known or to be known."""
-    known = data.before > 0
-    return np.where(known, data.after / np.where(known, data.before, 1.0), 1.0)
-
-
-class TableObservabilityPicture(Picture[TableObservability]):
+class TableObservabilityPicture(Picture[DataTable]):
     """Eigenvalues on the left, accuracy of each sensor error on the right."""
 
     def build(self) -> None:
@@ -81,11 +51,15 @@ class TableObservabilityPicture(Picture[TableObservability]):
             fontsize="medium" if self.sheet.on_paper else 8.5,
         )
         small, large = (2.5, 4) if self.sheet.on_paper else (4, 7)
-        self.bright = self.line(values, color=BLUE, marker="o", linestyle="none", markersize=small,
-                                label="observable")  # fmt: skip
-        self.unobservable = self.line(
-            values, color=VERMILION, marker="X", linestyle="none", markersize=large,
-            label="not observable",
+        self.bright, self.unobservable = (
+            self.curve(
+                values, "direction", "eigenvalue_relative", where={"direction_is": label},
+                **style, linestyle="none", label=label,
+            )
+            for label, style in (
+                ("observable", {"color": BLUE, "marker": "o", "markersize": small}),
+                ("not observable", {"color": VERMILION, "marker": "X", "markersize": large}),
+            )
         )  # fmt: skip
         narrow = "deviation after the scheme, over that before"
         ratios.set(title=narrow if self.sheet.narrow else f"{narrow}: lower is better")
@@ -98,26 +72,12 @@ class TableObservabilityPicture(Picture[TableObservability]):
         else:
             size = 6.5 if self.sheet.on_paper else 7.5
             ratios.set_xticks(range(len(SLOTS)), SLOTS, rotation=55, ha="right", fontsize=size)
-        self.ratios = self.line(ratios, color=BLUE, marker="o", linestyle="none",
-                                markersize=3 if self.sheet.on_paper else 5,
-                                label="sensor errors")  # fmt: skip
+        self.ratios = self.curve(
+            ratios, "place", "deviation_after_over_before", color=BLUE, marker="o",
+            markersize=3 if self.sheet.on_paper else 5, linestyle="none", label="sensor errors",
+        )  # fmt: skip
 
-    def update(self, data: TableObservability) -> None:
-        numbers = np.arange(1, len(data.eigenvalues) + 1)
-        values = _drawn(data)
-        self.unobservable.set_data(numbers[: data.unobservable], values[: data.unobservable])
-        self.bright.set_data(numbers[data.unobservable :], values[data.unobservable :])
-        low = 5e-4 if _ratios(data)[6:].min() >= 5e-4 else 1e-5
+    def update(self, table: DataTable) -> None:
+        self.show(table)
+        low = 5e-4 if table.deviation_after_over_before.min() >= 5e-4 else 1e-5
         self.set_limits(self.ratio_axes, "y", low, 2.0)
-        self.ratios.set_data(
-            [SLOTS.index(_slot(name)) for name in data.names[6:]], _ratios(data)[6:]
-        )
-
-
-def _slot(name: str) -> str:
-    """Place of a sensor error on the axis, the same for all choices of states."""
-    words = name.replace("accelerometer", "acc.").split()
-    return " ".join(word for word in words if word not in ("installation", "non-orthogonality"))
-
-
-SLOTS = [_slot(name) for name in FULL.names[6:]]

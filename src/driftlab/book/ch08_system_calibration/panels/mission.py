@@ -3,22 +3,21 @@
 from typing import ClassVar
 
 import numpy as np
-from scipy.constants import arcminute, arcsecond, degree, g, hour, knot, micro, nautical_mile
+from scipy.constants import arcminute, arcsecond, degree, g, hour, knot, micro
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.units import number_text
 from driftlab.book.scenarios import TABLE_LATITUDE
 
-from ..experiments import Mission, mission
+from ..experiments import SETTABLE, mission
 from ..figures.mission import MissionPicture
 
 GYRO_STOPS = (0.0, 0.001, 0.002, 0.005, 0.008, 0.01, 0.02, 0.05, 0.1, 0.5, 1.0, 5.0, 10.0)
 ACCELEROMETER_STOPS = (0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 500.0, 1000.0, 5000.0)
 TILT_STOPS = (0.0, 0.1, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 60.0, 200.0, 1000.0)
-CAUSES = 8
-"""How many causes of error the mission's panel has sliders for."""
 AZIMUTH_STOPS = (0.0, 0.1, 0.5, 1.0, 2.0, 5.0, 10.0, 60.0)
 
 
@@ -96,25 +95,21 @@ class MissionExplorer(Explorer):
             values["push_east"] * push, values["push_north"] * push,
         ]  # fmt: skip
 
-    def compute(self, values: Values) -> Mission:
+    def compute(self, values: Values) -> DataTable:
         return mission(
             self._causes(values), float(np.radians(values["latitude"])), values["hours"] * hour
         )
 
-    def numbers(self, data: Mission) -> Results:
-        east, north = data.position[-1] / nautical_mile
-        ends = (
-            ("East, nmi", east),
-            ("North, nmi", north),
-            ("heading, ′", data.heading[-1] / arcminute),
-        )
+    def numbers(self, table: DataTable) -> Results:
+        (east,), (north,) = table.shown("end")
+        ends = ("East, nmi", east), ("North, nmi", north), ("heading, ′", table.shown("heading"))
         rows: list[tuple[str, ...]] = [(name, f"{value:.2f}", "", "", "") for name, value in ends]
-        for name, sizes in data.sizes():
-            rows.append((name, *(f"{size / nautical_mile:.2f}" for size in sizes)))
+        for name, sizes in zip(table.causes, table.shown("parts"), strict=True):
+            rows.append((name, *(f"{size:.2f}" for size in sizes)))
         # As many rows whatever the values, so that nothing below them moves.
-        rows += [("", "", "", "", "")] * (len(ends) + CAUSES - len(rows))
+        rows += [("", "", "", "", "")] * (len(ends) + len(SETTABLE) - len(rows))
         return Results(
-            ("radial error rate, nmi an hour", number_text(data.rate / knot)),
+            ("radial error rate, nmi an hour", number_text(table.rate / knot)),
             rows,
             ("at the end", "line, nmi a day", "24 hours, nmi", "Schuler, nmi"),
         )

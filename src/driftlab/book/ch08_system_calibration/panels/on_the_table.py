@@ -8,21 +8,20 @@ from scipy.constants import degree, g, hour, micro
 
 from driftlab.body_frames import BODY_FRAMES, GYRO_FRAMES
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import UNITS, DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.units import number_text
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration.error_model import ERROR_MODELS, FULL
+from driftlab.calibration import ERROR_MODELS, FULL
 from driftlab.imu import ImuNoise
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
 
 from ..experiments import (
     PARAMETERS,
-    CalibrationRun,
-    TableObservability,
     calibration_history,
+    state_unit,
     table_observability,
-    unit_of,
 )
 from ..figures.calibration_run import CalibrationRunPicture, table_says
 from ..figures.table_observability import TableObservabilityPicture
@@ -31,7 +30,6 @@ STATES = {
     "all 30": FULL,
     **{f"27, {frame}": ERROR_MODELS[frame] for frame in BODY_FRAMES},
 }
-SIGNS = {"deg/h": "°/h", "arc seconds": "″"}
 STARTS = ("Up East North", "East North Up", "North Up East")
 
 
@@ -82,7 +80,7 @@ class ObservabilityExplorer(Explorer):
         rate = float(np.radians(values["rate"]))
         return Scheme(values["rotations"], (x, y, z), values["dwell"], rate)
 
-    def compute(self, values: Values) -> TableObservability:
+    def compute(self, values: Values) -> DataTable:
         noise = ImuNoise(
             values["gyro"] * 1e-3 * degree / float(np.sqrt(hour)),
             values["accelerometer"] * micro * g,
@@ -95,19 +93,19 @@ class ObservabilityExplorer(Explorer):
             float(np.radians(values["latitude"])),
         )
 
-    def numbers(self, data: TableObservability) -> Results:
-        size = len(data.names)
-        rows = [("not observable", "; ".join(data.descriptions) or "nothing")]
+    def numbers(self, table: DataTable) -> Results:
+        size = len(table.names)
+        rows = [("not observable", "; ".join(table.descriptions) or "nothing")]
         # One row for each kind of error, so that the table is as long for any states.
-        errors = zip(data.names[6:], data.after[6:], strict=True)
+        errors = zip(table.names[6:], table.after[6:], strict=True)
         for kind, members in groupby(errors, key=lambda error: error[0].rsplit(" ", 1)[0]):
             names, deviations = zip(*members, strict=True)
-            scale, unit = unit_of(names[0])
+            scale, sign = UNITS[state_unit(names[0])]
             places = ", ".join(name.rsplit(" ", 1)[1] for name in names)
             values = ", ".join(number_text(float(deviation / scale)) for deviation in deviations)
-            rows.append((f"{kind} {places}, {SIGNS.get(unit, unit)}", values))
+            rows.append((f"{kind} {places}, {sign.strip()}", values))
         return Results(
-            ("states that this scheme shows", f"{size - data.unobservable} of {size}"), rows
+            ("states that this scheme shows", f"{size - table.unobservable} of {size}"), rows
         )
 
     def call(self, values: Values) -> str:
@@ -153,31 +151,24 @@ class CalibrationRunExplorer(Explorer):
         "Accelerometer installation": "Compare its fall with that of the bias. What comes first?",
     }
 
-    def compute(self, values: Values) -> CalibrationRun:
+    def compute(self, values: Values) -> DataTable:
         return calibration_history(values["parameter"], values["frame"], values["minute"])
 
-    def numbers(self, data: CalibrationRun) -> Results:
-        size, unit = unit_of(data.name)
-        sign = SIGNS.get(unit, unit)
+    def numbers(self, table: DataTable) -> Results:
+        sign = UNITS[state_unit(table.name)][1].strip()
         unit = sign if sign == "″" else f" {sign}"
-        at = data.shown
-        return Results(
-            ("error at this moment", f"{(data.true - data.estimate[at]) / size:.4f}{unit}"),
-            [
-                ("in these body axes", data.name),
-                ("true", f"{data.true / size:.4f}{unit}"),
-                ("estimate", f"{data.estimate[at] / size:.4f}{unit}"),
-                ("three deviations", f"{3 * data.deviation[at] / size:.4f}{unit}"),
-                ("moment", f"{data.times[at] / 60:.1f} min"),
-                ("the table", table_says(data.times[at] / 60)),
-            ],
+        error, *rows = (
+            (table.entry(each).meaning, f"{table.shown(each):.4f}{unit}")
+            for each in ("error_now", "true", "estimate", "three_deviations")
         )
+        said = ("the table", table_says(table.shown("moment")))
+        rows = [("in these body axes", table.name), *rows, table.row("moment", ".1f"), said]
+        return Results(error, rows)
 
     def call(self, values: Values) -> str:
         return (
             "from driftlab.book.ch08_system_calibration.experiments import calibration_history\n"
             f"history = calibration_history({values['parameter']!r}, {values['frame']!r}, "
             f"{values['minute']})\n"
-            "print(history.name, history.estimate[history.shown],\n"
-            "      3 * history.deviation[history.shown])  # in SI units"
+            "print(history.name, history.estimate, history.three_deviations)  # in SI units"
         )
