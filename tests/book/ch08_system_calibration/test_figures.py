@@ -87,8 +87,7 @@ def test_filter_consistency_of_the_published_runs(figure: PublishedFigure) -> No
     assert low < data.innovation_mean < high
     # Of 814 independent values 95 % lie inside, with a standard deviation of 0.8 %.
     assert data.inside == pytest.approx(0.95, abs=0.025)
-    low, high = data.state_bounds
-    assert low < data.states[-1] < high
+    assert data.state_bound_low < data.states_over_expected[-1] < data.state_bound_high
 
 
 @published("08-choice-of-axes")

@@ -30,7 +30,11 @@ def test_in_place_curves_are_one_if_both_start_from_one_attitude(figure: Publish
     one, table = STARTS
     averaged, usual = FRAMES
     for quantity in ("velocity", "position"):
-        curves = {key: getattr(run, quantity) for key, run in data.runs.items()}
+        curves = {
+            (frame, start): data.entry(f"{quantity}, {axes}, start from {start}").values
+            for frame, axes in FRAMES.items()
+            for start in STARTS
+        }
         apart = np.abs(curves[averaged, one] - curves[usual, one]).max()
         assert apart < 0.01 * np.abs(curves[averaged, one]).max()
         assert np.abs(curves[averaged, table] - curves[usual, table]).max() > 50 * apart
@@ -39,18 +43,19 @@ def test_in_place_curves_are_one_if_both_start_from_one_attitude(figure: Publish
 @published("08-in-place")
 def test_analytic_curves_lie_on_the_simulated_ones(figure: PublishedFigure) -> None:
     data = figure.data
-    assert list(data.curves) == list(data.runs)
-    for key, run in data.runs.items():
+    gaps = []
+    for run in data.runs:
         for quantity in ("attitude", "velocity", "position"):
-            simulated, analytic = getattr(run, quantity), getattr(data.curves[key], quantity)
+            names = f"{quantity}, {run}", f"analytic {quantity}, {run}"
+            simulated, analytic = (data.entry(name).values for name in names)
             # Second order: tilts of up to 1e-3, and a latitude that moves by 1e-3.
             assert np.abs(simulated - analytic).max() < 2e-3 * np.abs(simulated).max()
+        gaps.append(np.linalg.norm(simulated - analytic, axis=0).max())
     # Without its swing a curve begins elsewhere, by as much as the swing, and drifts along.
-    first = next(iter(data.curves.values()))
-    swing = np.abs(data.slow[:, 5:] - first.position).max(axis=0)
-    assert (swing < np.abs(first.position).max(axis=0)).all()
-    worst = max(data.gap(key).max() for key in data.runs)
-    assert f"within {worst:.0f} m of the simulated one" in figure.caption
+    first = data.entry(f"analytic position, {data.runs[0]}").values
+    swing = np.abs(data.entry("position without its swing").values - first).max(axis=1)
+    assert (swing < np.abs(first).max(axis=1)).all()
+    assert f"within {max(gaps):.0f} m of the simulated one" in figure.caption
 
 
 def test_in_place_claim_verdict_counts() -> None:

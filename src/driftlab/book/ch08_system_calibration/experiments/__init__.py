@@ -3,7 +3,7 @@
 from .at_rest import (
     FRAMES as FRAMES,
     REST_DURATION as REST_DURATION,
-    InPlaceErrors as InPlaceErrors,
+    SHOWN as SHOWN,
     errors_at_rest as errors_at_rest,
 )
 from .calibration import (
@@ -27,7 +27,6 @@ from .choice_of_axes import (
 from .consistency import (
     QUICK_TRIAL as QUICK_TRIAL,
     RUNS as RUNS,
-    FilterConsistency as FilterConsistency,
     filter_consistency as filter_consistency,
 )
 from .designed_schemes import (

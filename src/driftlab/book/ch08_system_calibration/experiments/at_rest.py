@@ -1,15 +1,19 @@
 """A unit, calibrated, navigates in place with two choices of body axes; Wu Figs. 3-5."""
 
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 from scipy.constants import hour
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration.static_error_curves import static_causes, static_errors
-from driftlab.calibration.static_error_growth import static_error_modes
-from driftlab.calibration.static_navigation import StaticNavigationErrors, navigate_static
-from driftlab.checks import FloatArray
+from driftlab.calibration import (
+    navigate_static,
+    static_causes,
+    static_error_modes,
+    static_error_rates,
+    static_errors,
+)
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
@@ -20,23 +24,12 @@ REST_DURATION = 4 * hour
 """For which the units navigate, s."""
 FRAMES = {"averaged": "averaged axes", "upper triangle": "usual axes"}
 """Choices of body axes that are compared, with their names."""
-
-
-class InPlaceErrors(NamedTuple):
-    """Errors of a unit at rest."""
-
-    latitude: float  # rad
-    # by choice of body axes in `FRAMES` and by start in `STARTS`
-    runs: dict[tuple[str, str], StaticNavigationErrors]
-    # the same in closed form, from what the calibration of each run left over and its start
-    curves: dict[tuple[str, str], StaticNavigationErrors]
-    # (k, 7), what the first of these curves is without Schuler's and Foucault's swing: a constant,
-    # a line, and the terms of 24 hours
-    slow: FloatArray
-
-    def gap(self, key: tuple[str, str]) -> FloatArray:
-        """Distance (k,) between simulated and analytic position of a run, m."""
-        return np.linalg.norm(self.runs[key].position - self.curves[key].position, axis=-1)
+SHOWN = {
+    "attitude": ("arcsec", ("East", "North", "Up")),
+    "velocity": ("m_per_s", ("East", "North")),
+    "position": ("km", ("East", "North")),
+}
+"""What is shown of the errors: unit, and components."""
 
 
 def errors_at_rest(
@@ -45,8 +38,13 @@ def errors_at_rest(
     duration: float = REST_DURATION,
     latitude: float = TABLE_LATITUDE,
     seed: int = SEED,
-) -> InPlaceErrors:
-    """Calibrate a unit with two choices of body axes, and let it navigate at rest with either."""
+) -> DataTable:
+    """Calibrate a unit with two choices of body axes, and let it navigate at rest with either.
+
+    The analytic errors are the closed form for what the calibration of each run left over and its
+    start; the last columns are the first of them without Schuler's and Foucault's swing: a
+    constant, a line, and the terms of 24 hours.
+    """
     found = {
         frame: trial_of(frame, imu_errors, scheme, latitude, seed).calibration.imu_errors
         for frame in FRAMES
@@ -54,17 +52,40 @@ def errors_at_rest(
     runs, causes = {}, {}
     for frame, calibrated in found.items():
         one = one_attitude(imu_errors, found["averaged"], frame)
-        for start, axes in zip(STARTS, (one, TABLE_ATTITUDE), strict=True):
-            unit = imu_errors, calibrated, TABLE_ATTITUDE
+        for start, attitude in zip(STARTS, (one, TABLE_ATTITUDE), strict=True):
+            stands = imu_errors, calibrated, TABLE_ATTITUDE
             runs[frame, start] = navigate_static(
-                *unit, start=axes, reference=axes, latitude=latitude, duration=duration
+                *stands, start=attitude, reference=attitude, latitude=latitude, duration=duration
             )
             causes[frame, start] = static_causes(
-                *unit, start=axes, reference=axes, latitude=latitude
+                *stands, start=attitude, reference=attitude, latitude=latitude
             )
     times = next(iter(runs.values())).times
     curves = {key: static_errors(times, latitude, each) for key, each in causes.items()}
-    modes = static_error_modes(latitude).at(times)
-    return InPlaceErrors(
-        latitude, runs, curves, modes[:3].sum(axis=0) @ next(iter(causes.values()))
-    )
+    columns: dict[str, tuple[Any, ...]] = {"time": (times, "h", "since the start")}
+    for words, found_errors in (("", runs), ("analytic ", curves)):
+        for (frame, start), errors in found_errors.items():
+            for quantity, (unit, axes) in SHOWN.items():
+                name = f"{words}{quantity}, {FRAMES[frame]}, start from {start}"
+                columns[name] = (getattr(errors, quantity).T[: len(axes)], unit, "", axes)
+    slow = static_error_modes(latitude).at(times)[:3].sum(axis=0) @ next(iter(causes.values()))
+    rows = iter(slow.T)
+    for quantity, (unit, axes) in SHOWN.items():
+        columns[f"{quantity} without its swing"] = ([next(rows) for _ in axes], unit, "", axes)
+    gaps = {
+        key: np.linalg.norm(run.position - curves[key].position, axis=-1).max()
+        for key, run in runs.items()
+    }
+    worst = max(gaps, key=gaps.__getitem__)
+    turned = abs(static_error_rates(latitude).foucault) * times[-1]
+    return DataTable(columns, {
+        "runs": (
+            [f"{FRAMES[frame]}, start from {start}" for frame, start in runs], "",
+            "axes and start of each",
+        ),
+        "gap": (gaps[worst], "m", "largest distance between simulated and analytic position"),
+        "farthest": (
+            np.linalg.norm(runs[worst].position, axis=-1).max(), "km", "position of that run"
+        ),
+        "turned": (turned, "deg", "by which the swing's plane turns"),
+    })  # fmt: skip

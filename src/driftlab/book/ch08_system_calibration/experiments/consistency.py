@@ -1,13 +1,12 @@
 """Is the filter as good as it says? Squared normalised errors and innovations over many runs."""
 
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import arcsecond
 
-from driftlab.calibration.simulation import TableTrial
-from driftlab.checks import FloatArray
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.calibration import TableTrial
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.monte_carlo import mean_square_bounds, sweep
 from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
@@ -37,29 +36,13 @@ def quick_trial(
     )
 
 
-class FilterConsistency(NamedTuple):
-    """Means over the runs, divided by what they should be."""
-
-    runs: int  # calibrations
-    size: int  # states of the filter
-    times: FloatArray  # (k,), s
-    states: FloatArray  # (k,), squared normalised errors of all states
-    state_bounds: tuple[float, float]  # between them lie 95 % of the values
-    innovation_times: FloatArray  # (u,), s
-    innovations: FloatArray  # (u,), squared normalised innovations
-    innovation_bounds: tuple[float, float]
-    innovation_mean: float  # over all times as well
-    innovation_mean_bounds: tuple[float, float]
-    inside: float  # part of the innovations inside their bounds
-
-
 def filter_consistency(
     runs: int = RUNS,
     scheme: Scheme = NINETEEN_POSITIONS,
     noise: ImuNoise = TYPICAL_NOISE,
     assumed_noise: ImuNoise | None = None,
     seed: int = SEED,
-) -> FilterConsistency:
+) -> DataTable:
     """Calibrate random units repeatedly, and compare the errors with what the filter states.
 
     The filter assumes the noise of the simulation unless `assumed_noise` is given.
@@ -73,21 +56,29 @@ def filter_consistency(
     nis = found.calibration.nis
     innovations = nis.mean(axis=0) / 3
     low, high = (bound / 3 for bound in mean_square_bounds(3, runs))
+    state_low, state_high = (bound / size for bound in mean_square_bounds(size, runs))
     updates = np.arange(1.0, nis.shape[-1] + 1) * table.update_interval
-    return FilterConsistency(
-        runs,
-        size,
-        found.calibration.times,
-        found.nees.mean(axis=0) / size,
-        _each(mean_square_bounds(size, runs), size),
-        updates,
-        innovations,
-        (low, high),
-        float(nis.mean() / 3),
-        _each(mean_square_bounds(3, nis.size), 3),
-        float(np.mean((innovations > low) & (innovations < high))),
-    )
-
-
-def _each(bounds: tuple[float, float], freedom: int) -> tuple[float, float]:
-    return bounds[0] / freedom, bounds[1] / freedom
+    inside = np.mean((innovations > low) & (innovations < high))
+    return DataTable(
+        {
+            "state_time": (found.calibration.times, "min"),
+            "states_over_expected": (
+                found.nees.mean(axis=0) / size, "", "squared normalised errors, mean over the runs"
+            ),
+            "innovation_time": (updates, "min"),
+            "innovations_over_expected": (innovations, "", "the same of the innovations"),
+            "state_bound_low": ([state_low], "", "95 % of the values lie between the bounds"),
+            "state_bound_high": ([state_high],),
+            "innovation_bound_low": ([low],),
+            "innovation_bound_high": ([high],),
+        },
+        {
+            "runs": (runs, "", "calibrations"),
+            "size": (size, "", "states of the filter"),
+            "innovation_mean": (nis.mean() / 3, "", "of all times and runs, over expected"),
+            "innovation_mean_bounds": (
+                [bound / 3 for bound in mean_square_bounds(3, nis.size)], "", "of this mean, 95 %"
+            ),
+            "inside": (inside, "", "part of the innovations inside their bounds"),
+        },
+    )  # fmt: skip

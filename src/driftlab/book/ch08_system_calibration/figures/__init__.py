@@ -42,11 +42,10 @@ FIGURES = (
         designed_scheme.caption,
         designed_scheme.restore,
     ),
-    FigureDefinition(
+    table_figure(
         "08-filter-consistency",
         experiments.filter_consistency,
         filter_consistency.draw,
-        filter_consistency.columns,
         filter_consistency.caption,
     ),
     FigureDefinition(
@@ -65,13 +64,7 @@ FIGURES = (
         choice_of_axes.caption,
         choice_of_axes.restore,
     ),
-    FigureDefinition(
-        "08-in-place",
-        experiments.errors_at_rest,
-        in_place.draw,
-        in_place.columns,
-        in_place.caption,
-    ),
+    table_figure("08-in-place", experiments.errors_at_rest, in_place.draw, in_place.caption),
     FigureDefinition(
         "08-in-place-claim",
         experiments.error_ratios_at_rest,
