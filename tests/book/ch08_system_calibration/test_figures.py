@@ -14,14 +14,20 @@ from driftlab.book.ch08_system_calibration.experiments import (
     BEST,
     CASES,
     DRAWN_ZERO,
+    MORE,
     PARAMETERS,
     RANDOM,
     TASKS,
+    UNIT,
     Case,
-    ChoiceOfAxes,
     calibration_history,
+    compared,
+    excess,
     expected_covariance,
     normalised_errors,
+    rows_of,
+    scheme_of,
+    squares_of,
     table_observability,
     typical_trial,
     unit_of,
@@ -93,9 +99,10 @@ def test_filter_consistency_of_the_published_runs(figure: PublishedFigure) -> No
 @published("08-choice-of-axes")
 def test_choice_of_axes_is_read_from_the_study_that_the_code_makes(figure: PublishedFigure) -> None:
     """The study takes minutes, so its first units are computed anew, for a few of its cases."""
-    squares = figure.data.squares
-    assert tuple(squares) == CASES
-    for case, values in squares.items():
+    study = figure.data
+    assert [c for c in study.squares if not c.endswith(MORE)] == [str(case) for case in CASES]
+    for case in CASES:
+        values = squares_of(study, case)
         assert len(values) == (2 * UNITS if (case.size, case.passes) == (400, 1) else UNITS)
     for case in (
         Case("19 positions", 400, "averaged", 1),
@@ -105,7 +112,7 @@ def test_choice_of_axes_is_read_from_the_study_that_the_code_makes(figure: Publi
     ):
         found = normalised_errors(case, BATCH)
         # Six decimals are written; a covariance of 27 states keeps seven digits or so.
-        np.testing.assert_allclose(found, squares[case][:BATCH], rtol=1e-5, atol=1e-4)
+        np.testing.assert_allclose(found, squares_of(study, case)[:BATCH], rtol=1e-5, atol=1e-4)
 
 
 def test_a_study_is_computed_only_where_its_table_is_not_at_hand(
@@ -114,13 +121,12 @@ def test_a_study_is_computed_only_where_its_table_is_not_at_hand(
     name = "08-choice-of-axes"
     known = figures.figure_definitions("08")[name]
     whole = figures.figure(name).data
-    part = ChoiceOfAxes({case: values[:5] for case, values in whole.squares.items()})
-    quick = replace(known, compute=lambda: part)
+    quick = replace(known, compute=lambda: whole)
     monkeypatch.setattr(figures, "figure_definitions", lambda _: {name: quick})
-    assert len(figures.figure(name).data.squares[CASES[0]]) == UNITS
+    assert figures.figure(name).data is not whole
     monkeypatch.setattr(figures, "_FOLDER", tmp_path)
     with pytest.warns(UserWarning, match=r"^08-choice-of-axes is computed anew, which takes min"):
-        assert figures.figure(name).data is part
+        assert figures.figure(name).data is whole
 
 
 @published("08-choice-of-axes")
@@ -130,7 +136,7 @@ def test_best_axes_depend_on_the_scheme_and_averaged_ones_are_best_on_none(
     """What the chapter and the ledger say of the units bent by 400 arc seconds."""
     data, (first, second) = figure.data, SCHEMES
     counted = {
-        (scheme, rival): data.compared(scheme, 400, rival)
+        (scheme, rival): compared(data, scheme, 400, rival)
         for scheme in SCHEMES
         for rival in BODY_FRAMES[1:]
     }
@@ -146,10 +152,10 @@ def test_best_axes_depend_on_the_scheme_and_averaged_ones_are_best_on_none(
     # From the other skew part they are not told with certainty unit by unit; its means are less.
     for scheme in SCHEMES:
         assert counted[scheme, "averaged accelerometers"].chance > certain
-        mean, error = data.excess(scheme, 400, "averaged accelerometers")
+        mean, error = excess(data, scheme, 400, "averaged accelerometers")
         assert mean > 2 * error
     # The upper triangle wins in most units on the second scheme, and not in the mean.
-    mean, error = data.excess(second, 400, "upper triangle")
+    mean, error = excess(data, second, 400, "upper triangle")
     assert -2 * error < mean < 0
 
 
@@ -158,13 +164,13 @@ def test_after_a_second_pass_no_choice_of_axes_is_better(figure: PublishedFigure
     data = figure.data
     # The mean of so many squares of a consistent filter; Bonferroni for ten cases.
     low, high = (bound / 27 for bound in mean_square_bounds(27, UNITS, 1 - 0.05 / 10))
-    for case, values in data.squares.items():
+    for case in CASES:
         if case.passes == 2:
-            assert low < values.mean() < high
-            assert data.squares[case._replace(passes=1)].mean() > 2 * high
+            assert low < squares_of(data, case).mean() < high
+            assert squares_of(data, case._replace(passes=1)).mean() > 2 * high
     for scheme in SCHEMES:
         for rival in BODY_FRAMES[1:]:
-            twice = data.compared(scheme, 400, rival, 2)
+            twice = compared(data, scheme, 400, rival, 2)
             assert twice.interval[0] < 0.5 < twice.interval[1]
             assert twice.median == pytest.approx(1, abs=2e-3)
 
@@ -172,10 +178,10 @@ def test_after_a_second_pass_no_choice_of_axes_is_better(figure: PublishedFigure
 @published("08-choice-of-axes")
 def test_typical_units_do_not_notice_the_choice_of_axes(figure: PublishedFigure) -> None:
     low, high = (bound / 27 for bound in mean_square_bounds(27, UNITS, 1 - 0.05 / 10))
-    for case, values in figure.data.squares.items():
+    for case in CASES:
         if case.size == 40:
-            assert low < values.mean() < high
-            certain = case.frame != "averaged" and figure.data.compared(*case).chance < 0.05 / 40
+            assert low < squares_of(figure.data, case).mean() < high
+            certain = case.frame != "averaged" and compared(figure.data, *case).chance < 0.05 / 40
             assert not certain
 
 
@@ -200,21 +206,21 @@ def test_numbers_of_the_ledger_are_those_of_the_studies(figure: PublishedFigure)
     words = f"{entry.proof} {entry.in_favour}"
     medians = []
     for frame in BODY_FRAMES:
-        one, two = (figure.data.squares[Case(scheme, 400, frame, 1)] for scheme in SCHEMES)
+        one, two = (squares_of(figure.data, Case(scheme, 400, frame, 1)) for scheme in SCHEMES)
         errors = [values.std(ddof=1) / np.sqrt(values.size) for values in (one, two)]
         assert f"{one.mean():.1f} ± {errors[0]:.1f} and {two.mean():.1f} ± {errors[1]:.1f}" in words
         medians.append(f"{np.median(one):.1f} and {np.median(two):.1f}")
     assert f"Medians: {'; '.join(medians)}." in words
     for rival in BODY_FRAMES[1:]:
-        pair = [figure.data.compared(scheme, 400, rival) for scheme in SCHEMES]
+        pair = [compared(figure.data, scheme, 400, rival) for scheme in SCHEMES]
         assert f"in {pair[0].better} and {pair[1].better}" in words
         assert f"{percent(pair[0].interval)}, {percent(pair[1].interval)})" in words
     rises = []
     for scheme in SCHEMES:
-        mean, error = figure.data.excess(scheme, 400, "averaged accelerometers")
+        mean, error = excess(figure.data, scheme, 400, "averaged accelerometers")
         rises.append(f"{mean / error:.1f}")
     assert f"by {' and '.join(rises)} standard errors" in words
-    twice = [v.mean() for case, v in figure.data.squares.items() if case.passes == 2]
+    twice = [squares_of(figure.data, case).mean() for case in CASES if case.passes == 2]
     assert f"between {min(twice):.2f} and {max(twice):.2f}." in words
 
 
@@ -243,34 +249,38 @@ def test_observability_of_a_table_is_that_of_its_own_scheme_model_latitude_and_n
 @published("08-designed-scheme")
 def test_published_designs_have_the_deviations_that_are_published(figure: PublishedFigure) -> None:
     data = figure.data
-    known = data.of_kind("published") + data.of_kind("designed")
-    assert [each.name for each in known] == [*SCHEMES, *TASKS]
-    yardstick = np.sqrt(np.diag(expected_covariance(known[0].scheme)))[6:]
-    for each in [*known, *data.of_kind("random")[::50]]:
-        covariance = expected_covariance(each.scheme)
-        turning = sum(abs(angle) for _, angle in each.scheme.turns) / each.scheme.rate
+    known = [*rows_of(data, "published"), *rows_of(data, "designed")]
+    assert [data.name[row] for row in known] == [*SCHEMES, *TASKS]
+    yardstick = np.sqrt(np.diag(expected_covariance(scheme_of(data, known[0]))))[6:]
+    for row in [*known, *rows_of(data, "random")[::50]]:
+        scheme = scheme_of(data, row)
+        covariance = expected_covariance(scheme)
+        turning = sum(abs(angle) for _, angle in scheme.turns) / scheme.rate
         expected = TASKS[BEST].duration
-        assert each.scheme.positions * each.scheme.dwell + turning == pytest.approx(expected)
+        assert scheme.positions * scheme.dwell + turning == pytest.approx(expected)
         found = np.sqrt(np.diag(covariance))[6:] / yardstick
-        np.testing.assert_allclose(each.ratios, found, rtol=0, atol=2e-4)
+        np.testing.assert_allclose(data.ratio[:, row], found, rtol=0, atol=2e-4)
         criteria = [replace(TASKS[BEST], criterion=name).values(covariance) for name in CRITERIA]
-        np.testing.assert_allclose(each.criteria, criteria, rtol=0, atol=2e-6)
-    assert len(data.of_kind("random")) == RANDOM
+        np.testing.assert_allclose(data.criterion[:, row], criteria, rtol=0, atol=2e-6)
+    assert len(rows_of(data, "random")) == RANDOM
     # Each design is the best of all for its own criterion and table, and none of them for all.
-    for name, place in (("worst, two axes", 0), ("mean, two axes", 1), ("volume, two axes", 2)):
-        rivals = [each for each in data.schemes if "three" not in each.name]
-        assert min(rivals, key=lambda each: each.criteria[place]).name == name
+    rivals = [row for row, name in enumerate(data.name) if name and "three" not in name]
+    for values, name in zip(
+        data.criterion, ("worst, two axes", "mean, two axes", "volume, two axes"), strict=True
+    ):
+        assert data.name[min(rivals, key=values.__getitem__)] == name
 
 
 @published("08-designed-scheme")
 def test_simulated_units_keep_what_the_design_promises(figure: PublishedFigure) -> None:
     data = figure.data
-    assert list(data.errors) == [next(iter(SCHEMES)), BEST]
-    for nees in data.nees.values():
+    for name in (next(iter(SCHEMES)), BEST):
+        nees = data.criterion[0, rows_of(data, UNIT + name)]
+        assert len(nees) == data.units
         low, high = mean_square_bounds(27, nees.size, 0.999)
         assert low < 27 * nees.mean() < high
-    ratio, spread = data.gained()
-    promised = data.named(BEST).ratios
+    spread = data.simulated_high - data.simulated
+    promised = data.after[BEST]
     # 21 ratios that are not independent; each within four standard errors.
-    assert (np.abs(ratio - promised) < 4 * spread).all()
+    assert (np.abs(data.simulated - promised) < 4 * spread).all()
     assert (spread < 0.2 * promised).all()

@@ -17,12 +17,16 @@ from .calibration import (
 from .choice_of_axes import (
     BATCH as BATCH,
     CASES as CASES,
+    MORE as MORE,
+    PASSES as PASSES,
     SIZES as SIZES,
     UNITS as UNITS,
     Case as Case,
-    ChoiceOfAxes as ChoiceOfAxes,
     choice_of_axes as choice_of_axes,
+    compared as compared,
+    excess as excess,
     normalised_errors as normalised_errors,
+    squares_of as squares_of,
 )
 from .consistency import (
     QUICK_TRIAL as QUICK_TRIAL,
@@ -31,13 +35,15 @@ from .consistency import (
 )
 from .designed_schemes import (
     BEST as BEST,
+    CLASSES as CLASSES,
     FREE as FREE,
     RANDOM as RANDOM,
     TASKS as TASKS,
-    DesignedSchemes as DesignedSchemes,
-    TriedScheme as TriedScheme,
+    UNIT as UNIT,
     designed_schemes as designed_schemes,
     expected_covariance as expected_covariance,
+    rows_of as rows_of,
+    scheme_of as scheme_of,
 )
 from .in_place_claim import (
     AT_REST_SIZES as AT_REST_SIZES,
@@ -45,7 +51,7 @@ from .in_place_claim import (
     QUANTITIES as QUANTITIES,
     TRIANGLES as TRIANGLES,
     Comparison as Comparison,
-    InPlaceClaim as InPlaceClaim,
+    counted as counted,
     error_ratios as error_ratios,
     error_ratios_at_rest as error_ratios_at_rest,
 )
@@ -71,9 +77,10 @@ from .schemes import (
 from .size_effect import (
     ARM as ARM,
     ARM_SIZES as ARM_SIZES,
+    FILTERS as FILTERS,
     RATES as RATES,
-    SizeEffect as SizeEffect,
     on_own_axes as on_own_axes,
+    on_tables as on_tables,
     size_effect as size_effect,
     unit_with_arms as unit_with_arms,
 )

@@ -4,7 +4,7 @@ What a filter leaves out shows in its squared normalised errors: they are larger
 be. A pass more over the same record, linearised about what the first has found, takes it away.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -12,6 +12,7 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.body_frames import BODY_FRAMES
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.monte_carlo import sweep
 from driftlab.motion.scheme import SCHEMES
@@ -27,6 +28,9 @@ where there is most to see, after one pass over units that are bent most."""
 BATCH = 50
 """Units calibrated at once; the first batch is the same however many follow."""
 SEED = 2018
+PASSES = {1: "one pass", 2: "two passes"}
+MORE = ", more units"
+"""End of a column's name with the second half of twice as many units."""
 
 
 class Case(NamedTuple):
@@ -36,6 +40,10 @@ class Case(NamedTuple):
     size: float  # spread of the installation errors, arc seconds
     frame: str  # choice of body axes
     passes: int  # over the record
+
+    def __str__(self) -> str:
+        """Words for a column of its units."""
+        return f"{self.scheme}, {self.size:g} arc seconds, {self.frame}, {PASSES[self.passes]}"
 
 
 def cases(sizes: Sequence[float] = SIZES) -> tuple[Case, ...]:
@@ -53,39 +61,12 @@ CASES = cases()
 """All that the published study compares."""
 
 
-class ChoiceOfAxes(NamedTuple):
-    """Squared errors of the 27 states at the end, normalised; 1 is what they should be."""
-
-    squares: Mapping[Case, FloatArray]  # (units,) or (2 units,) each
-
-    @property
-    def sizes(self) -> tuple[float, ...]:
-        """Spreads of the installation errors, arc seconds, ascending."""
-        return tuple(dict.fromkeys(case.size for case in self.squares))
-
-    def compared(self, scheme: str, size: float, rival: str, passes: int = 1) -> Verdict:
-        """How often averaged axes err less than a rival choice, unit by unit; see `Case`."""
-        averaged = self.squares[Case(scheme, size, BODY_FRAMES[0], passes)]
-        return verdict(averaged / self.squares[Case(scheme, size, rival, passes)])
-
-    def excess(self, scheme: str, size: float, rival: str) -> tuple[float, float]:
-        """By how much the mean is larger in averaged axes, and the standard error of that.
-
-        After one pass; the units are paired.
-        """
-        averaged, other = (
-            self.squares[Case(scheme, size, frame, 1)] for frame in (BODY_FRAMES[0], rival)
-        )
-        more = averaged - other
-        return float(more.mean()), float(more.std(ddof=1) / np.sqrt(more.size))
-
-
 def choice_of_axes(
     units: int = UNITS,
     sizes: Sequence[float] = tuple((arcsecond * np.array(SIZES)).tolist()),
     dwell: float = QUICK_TRIAL.scheme.dwell,
     seed: int = SEED,
-) -> ChoiceOfAxes:
+) -> DataTable:
     """Run the whole study: some four minutes.
 
     `sizes` are in rad. Where there is most to see there are twice as many units.
@@ -93,12 +74,86 @@ def choice_of_axes(
     units = whole_number(units, "units", least=2)
     bent = [round(positive_number(size, "sizes") / arcsecond, 6) for size in sorted(sizes)]
     most = (bent[-1], 1)
-    return ChoiceOfAxes({
+    squares = {
         case: normalised_errors(
             case, units * (2 if (case.size, case.passes) == most else 1), dwell, seed
         )
         for case in cases(bent)
-    })  # fmt: skip
+    }
+    means = np.array([values.mean() for values in squares.values()])
+    errors = [values.std(ddof=1) / np.sqrt(len(values)) for values in squares.values()]
+    rivals = [(s, p, rival) for p in PASSES for s in SCHEMES for rival in BODY_FRAMES[1:]]
+    parts = []
+    for scheme, passes, rival in rivals:
+        averaged, other = (
+            squares[Case(scheme, bent[-1], frame, passes)] for frame in (BODY_FRAMES[0], rival)
+        )
+        counted = verdict(averaged / other)
+        parts.append((counted.better / counted.units, *counted.interval))
+    part, low, high = np.transpose(parts)
+    return DataTable(
+        {
+            "squares": (
+                {
+                    str(case) + i * MORE: half
+                    for case, values in squares.items()
+                    for i, half in enumerate(values.reshape(-1, units))
+                },
+                "", "squared errors of the 27 states at the end, normalised, of each unit", (), 6,
+            ),
+            "mean_of": ([f"{case.scheme}; {PASSES[case.passes]}" for case in squares],),
+            "axes": ([case.frame for case in squares],),
+            "drawn_at": (
+                # Choices of axes are drawn side by side, or they would hide each other.
+                arcsecond * np.array([
+                    case.size * 1.04 ** (BODY_FRAMES.index(case.frame) - 2) for case in squares
+                ]),
+                "arcsec", "spread of the installation errors, beside which a mean is drawn",
+            ),
+            "mean": (means, "", "of the units; 1 is what it should be"),
+            "mean_low": (means - errors, "", "mean less its standard error"),
+            "mean_high": (means + errors,),
+            "part_of": ([f"{scheme}; {PASSES[passes]}" for scheme, passes, _ in rivals],),
+            "rival": ([rival for *_, rival in rivals],),
+            "part": (part, "", "of the units bent most in which averaged axes err less"),
+            "part_low": (low, "", "95 % interval"),
+            "part_high": (high,),
+        },
+        {
+            "sizes": (bent, "", "spreads of the installation errors, arc seconds"),
+        },
+    )  # fmt: skip
+
+
+def squares_of(study: DataTable, case: Case) -> FloatArray:
+    """Return the squared normalised errors of a case, (units,) or (2 units,)."""
+    halves = [str(case), f"{case}{MORE}"]
+    return np.concatenate([study.squares[half] for half in halves if half in study.squares])
+
+
+def compared(study: DataTable, scheme: str, size: float, rival: str, passes: int = 1) -> Verdict:
+    """How often averaged axes err less than a rival choice, unit by unit; see `Case`."""
+    averaged, other = _pair(study, scheme, size, rival, passes)
+    return verdict(averaged / other)
+
+
+def excess(study: DataTable, scheme: str, size: float, rival: str) -> tuple[float, float]:
+    """By how much the mean is larger in averaged axes, and the standard error of that.
+
+    After one pass; the units are paired.
+    """
+    averaged, other = _pair(study, scheme, size, rival)
+    more = averaged - other
+    return float(more.mean()), float(more.std(ddof=1) / np.sqrt(more.size))
+
+
+def _pair(
+    study: DataTable, scheme: str, size: float, rival: str, passes: int = 1
+) -> tuple[FloatArray, FloatArray]:
+    return (
+        squares_of(study, Case(scheme, size, BODY_FRAMES[0], passes)),
+        squares_of(study, Case(scheme, size, rival, passes)),
+    )
 
 
 def normalised_errors(

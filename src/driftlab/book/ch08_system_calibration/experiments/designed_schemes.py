@@ -1,17 +1,21 @@
 """Rotation schemes that a search has found, beside the published ones and beside random ones."""
 
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration.covariance import covariance_analysis
-from driftlab.calibration.design_task import CRITERIA, DesignTask
-from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.linearization import linearize_along
-from driftlab.calibration.scheme_design import design_scheme
-from driftlab.calibration.simulation import TableTrial
+from driftlab.calibration import (
+    CRITERIA,
+    ERROR_MODELS,
+    DesignTask,
+    TableTrial,
+    covariance_analysis,
+    design_scheme,
+    linearize_along,
+)
 from driftlab.checks import FloatArray, whole_number
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.monte_carlo import sweep
@@ -34,48 +38,10 @@ DRAWS = 100
 SEED = 1992
 UNITS = 100
 """Simulated units that go through the filter on the nineteen positions and on the design."""
-
-
-class TriedScheme(NamedTuple):
-    """A scheme in the time of the nineteen positions, and what is expected after it."""
-
-    kind: str  # "published", "designed" or "random"
-    name: str
-    scheme: Scheme
-    criteria: FloatArray  # (3,), as `CRITERIA`
-    # (21,), deviations of the sensor errors over those after the nineteen positions
-    ratios: FloatArray
-
-
-class DesignedSchemes(NamedTuple):
-    """All schemes that were tried, and units that were calibrated on two of them."""
-
-    schemes: list[TriedScheme]  # the published ones first, then the designs, then the random ones
-    # (units, 21) each, errors of the sensor errors found by the filter, over the deviation that is
-    # expected after the nineteen positions; by the name of the scheme. The same units on both
-    errors: dict[str, FloatArray]
-    # (units,) each, squared normalised errors of the 27 states at the end, over 27
-    nees: dict[str, FloatArray]
-
-    def named(self, name: str) -> TriedScheme:
-        """Return the scheme of a name."""
-        return next(each for each in self.schemes if each.name == name)
-
-    def gained(self) -> tuple[FloatArray, FloatArray]:
-        """Errors on the design over those on the nineteen positions, and standard errors (21,).
-
-        Root mean squares over the units; the standard error leaves out one unit in turn, and so
-        knows that both schemes had the same units.
-        """
-        before, after = ((errors**2) for errors in self.errors.values())
-        ratio = np.sqrt(after.mean(0) / before.mean(0))
-        without = np.sqrt((after.sum(0) - after) / (before.sum(0) - before))
-        spread = without.std(axis=0) * np.sqrt(len(without) - 1)
-        return ratio, spread
-
-    def of_kind(self, kind: str) -> list[TriedScheme]:
-        """Return all schemes of a kind."""
-        return [each for each in self.schemes if each.kind == kind]
+UNIT = "unit after "
+"""Beginning of the kind of a row that is a simulated unit."""
+CLASSES = np.geomspace(0.024, 1.1, 25)
+"""Limits of the bars that count random schemes: what is left of the error that is known worst."""
 
 
 def expected_covariance(scheme: Scheme, latitude: float = TABLE_LATITUDE) -> FloatArray:
@@ -93,10 +59,13 @@ def designed_schemes(
     duration: float = TASKS[BEST].duration,
     latitude: float = TABLE_LATITUDE,
     seed: int = SEED,
-) -> DesignedSchemes:
+) -> DataTable:
     """Search for schemes, draw random ones, and calibrate units on the best: some minutes.
 
-    `draws` and `climbs` are those of `driftlab.calibration.design_scheme`.
+    `draws` and `climbs` are those of `driftlab.calibration.design_scheme`. A row of the table is a
+    scheme, the published ones first, then the designs, then the random ones; or a unit that was
+    calibrated on one of two, the same units on both. A unit has its errors instead of the
+    deviations, and its NEES / 27 instead of the criteria.
     """
     rng = np.random.default_rng(whole_number(seed, "seed", least=0))
     tasks = {
@@ -112,19 +81,80 @@ def designed_schemes(
     random = task.random_schemes(rng, random_schemes)
     rows += [("random", f"random {i}", scheme) for i, scheme in enumerate(random, 1)]
     yardstick = np.sqrt(np.diag(expected_covariance(rows[0][2], latitude)))[6:]
-    tried = []
-    for kind, name, scheme in rows:
+    criteria, ratios = [], []
+    for _, _, scheme in rows:
         covariance = expected_covariance(scheme, latitude)
-        ratios = np.sqrt(np.diag(covariance))[6:] / yardstick
-        criteria = [float(replace(task, criterion=one).values(covariance)) for one in CRITERIA]
-        tried.append(TriedScheme(kind, name, scheme, np.array(criteria), ratios))
-    errors, nees = {}, {}
-    for chosen in (tried[0], tried[len(SCHEMES)]):
-        errors[chosen.name], nees[chosen.name] = _calibrated(
-            chosen.scheme, latitude, whole_number(units, "units", least=2), seed
-        )
-        errors[chosen.name] /= yardstick
-    return DesignedSchemes(tried, errors, nees)
+        ratios.append(np.sqrt(np.diag(covariance))[6:] / yardstick)
+        criteria.append([replace(task, criterion=one).values(covariance) for one in CRITERIA])
+    units = whole_number(units, "units", least=2)
+    for _, name, scheme in (rows[0], rows[len(SCHEMES)]):
+        errors, nees = _calibrated(scheme, latitude, units, seed)
+        rows += [(UNIT + name, "", scheme)] * units
+        ratios += [*(errors / yardstick)]
+        criteria += [[each] * len(CRITERIA) for each in nees]
+    kinds, names, schemes = zip(*rows, strict=True)
+    worst, after = np.array(criteria)[:, 0], np.array(ratios)
+    random_rows = np.array(kinds) == "random"
+    low, middle, high = np.percentile(after[random_rows], [5, 50, 95], 0)
+    gain, spread = _gained(*np.split(after[-2 * units :], 2))
+    counts, _ = np.histogram(worst[random_rows], CLASSES)
+    _, eighteen = SCHEMES
+    sensor_errors = ERROR_MODELS["averaged"].names[6:]
+    return DataTable(
+        {
+            "kind": (kinds, "", "published, designed or random, or a unit after a scheme"),
+            "name": (names,),
+            "rotations": ([scheme.rotations for scheme in schemes],),
+            "start": ([" ".join(scheme.start) for scheme in schemes],),
+            "pause": (np.array([scheme.dwell for scheme in schemes]), "s"),
+            "criterion": (np.array(criteria).T, "", "of a unit its NEES / 27", CRITERIA),
+            "ratio": (
+                after.T, "", "deviations, or a unit's errors, over those after 19 positions",
+                sensor_errors,
+            ),
+            "sensor_error": (sensor_errors,),
+            "random_5_percent": (low, "", "of the ratios of random rows"),
+            "random_median": (middle,),
+            "random_95_percent": (high,),
+            "after": (
+                {name: after[names.index(name)] for name in (eighteen, FREE, BEST)}, "",
+                "ratios after one scheme",
+            ),
+            "simulated": (gain, "", "errors of units after the design, over the others"),
+            "simulated_low": (gain - spread, "", "less a standard error"),
+            "simulated_high": (gain + spread,),
+            "worst_of_random_rows": ((CLASSES[1:] + CLASSES[:-1]) / 2, "", "middle of a class"),
+            "random_rows": (counts, "", "in this class"),
+            "least_known": (
+                {name: worst[[names.index(name)]] for name in (*SCHEMES, BEST, FREE)}, "",
+                "what is left of the sensor error that is known worst",
+            ),
+        },
+        {"units": (units, "", "simulated units")},
+    )  # fmt: skip
+
+
+def rows_of(study: DataTable, kind: str) -> NDArray[np.intp]:
+    """Return the places of all rows of a kind; that of a unit ends with the name of its scheme."""
+    return np.flatnonzero(np.array(study.kind) == kind)
+
+
+def scheme_of(study: DataTable, row: int) -> Scheme:
+    """Return the scheme of a row."""
+    x, y, z = study.start[row].split()
+    return Scheme(study.rotations[row], (x, y, z), float(study.pause[row]))
+
+
+def _gained(before: FloatArray, after: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Errors on the design over those on the nineteen positions, and standard errors (21,).
+
+    Root mean squares over the units; the standard error leaves out one unit in turn, and so
+    knows that both schemes had the same units.
+    """
+    before, after = before**2, after**2
+    ratio = np.sqrt(after.mean(0) / before.mean(0))
+    without = np.sqrt((after.sum(0) - after) / (before.sum(0) - before))
+    return ratio, without.std(axis=0) * np.sqrt(len(without) - 1)
 
 
 def _calibrated(

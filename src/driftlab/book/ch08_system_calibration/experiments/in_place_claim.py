@@ -4,17 +4,18 @@ The copy says neither which scheme calibrated the paper's unit, nor which triang
 method's, nor with which attitude each computer began; so all of them are tried.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.body_frames import GYRO_FRAMES
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration.simulation import Trial
-from driftlab.calibration.static_navigation import navigate_static
+from driftlab.calibration import Trial, navigate_static
 from driftlab.checks import FloatArray, positive_number
 from driftlab.imu import ImuErrors
 from driftlab.monte_carlo import sweep
@@ -44,26 +45,10 @@ class Comparison(NamedTuple):
     start: str  # one of `ALL_STARTS`
     quantity: str  # one of `QUANTITIES`
 
-
-class InPlaceClaim(NamedTuple):
-    """Error with averaged axes over that with a rival's."""
-
-    duration: float  # of navigating, s
-    ratios: Mapping[Comparison, FloatArray]  # (units,) each
-
-    @property
-    def sizes(self) -> tuple[float, ...]:
-        """Spreads of the installation errors, arc seconds, ascending."""
-        return tuple(dict.fromkeys(key.size for key in self.ratios))
-
-    def counted(self) -> dict[Comparison, Verdict]:
-        """How often averaged axes err less, unit by unit, in every comparison."""
-        return {key: verdict(values) for key, values in self.ratios.items()}
-
-    @property
-    def certain(self) -> float:
-        """Chance below which one comparison counts: Bonferroni, 5 % for all together."""
-        return 0.05 / len(self.ratios)
+    def __str__(self) -> str:
+        """Words for a column of its units."""
+        where = f"{self.scheme}, {self.size:g} arc seconds, {self.rival}"
+        return f"{where}, start from {self.start}, {self.quantity}"
 
 
 def error_ratios_at_rest(
@@ -72,19 +57,47 @@ def error_ratios_at_rest(
     duration: float = REST_DURATION,
     dwell: float = QUICK_TRIAL.scheme.dwell,
     seed: int = SEED,
-) -> InPlaceClaim:
+) -> DataTable:
     """Calibrate random units on both schemes, and let them navigate: about a minute.
 
     `sizes` are in rad, and the duration is at least 300 s.
     """
+    bent = [round(positive_number(size, "sizes") / arcsecond, 6) for size in sorted(sizes)]
     ratios: dict[Comparison, FloatArray] = {}
     for scheme in SCHEMES:
-        for size in sorted(sizes):
-            bent = round(positive_number(size, "sizes") / arcsecond, 6)
+        for size in bent:
             ratios |= error_ratios(
-                scheme, bent, units=units, duration=duration, dwell=dwell, seed=seed
+                scheme, size, units=units, duration=duration, dwell=dwell, seed=seed
             )
-    return InPlaceClaim(duration, ratios)
+    verdicts = [verdict(values) for values in ratios.values()]
+    parts = [(each.better / each.units, *each.interval) for each in verdicts]
+    part, low, high = np.transpose(parts)
+    return DataTable(
+        {
+            "ratio": (
+                {str(key): values for key, values in ratios.items()}, "",
+                "error with averaged axes over that with a rival's, of each unit", (), 7,
+            ),
+            "at_rest_for": (np.array([duration]), "h", "of navigating"),
+            "case": ([f"{key.scheme}; {key.rival}; {key.size:g}″" for key in ratios],),
+            "start": ([key.start for key in ratios],),
+            "quantity": ([key.quantity for key in ratios],),
+            "part": (part, "", "of the units in which averaged axes err less"),
+            "part_low": (low, "", "95 % interval"),
+            "part_high": (high,),
+        },
+        {
+            "sizes": (bent, "", "spreads of the installation errors, arc seconds"),
+            # Bonferroni, 5 % for all together
+            "certain": (0.05 / len(ratios), "", "chance below which one comparison counts"),
+        },
+    )  # fmt: skip
+
+
+def counted(study: DataTable) -> dict[Comparison, Verdict]:
+    """How often averaged axes err less, unit by unit, in every comparison."""
+    keys = product(SCHEMES, study.sizes, TRIANGLES, ALL_STARTS, QUANTITIES)
+    return {key: verdict(study.ratio[str(key)]) for key in (Comparison(*each) for each in keys)}
 
 
 def error_ratios(

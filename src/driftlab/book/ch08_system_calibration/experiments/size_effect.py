@@ -3,15 +3,15 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
-from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.calibration.kalman import nees
-from driftlab.calibration.simulation import TableTrial, Trial
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.calibration import ERROR_MODELS, TableTrial, Trial, nees
 from driftlab.checks import FloatArray, positive_number
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS, HigherOrderErrors
 from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise
+from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES, Scheme
 
 from .calibration import SEED
@@ -23,36 +23,9 @@ ARM_SIZES = (0.003, 0.01, 0.02, 0.03, 0.05, 0.1)
 RATES = (5.0, 10.0, 20.0)
 """Of the table, deg/s."""
 TABLE = TableTrial(sample_interval=0.1, keep=10**6)
-
-
-class SizeEffect(NamedTuple):
-    """Calibrations of units with accelerometers away from the point that the table turns about."""
-
-    arm: float  # m
-    rates: FloatArray  # (rates,), of the table, rad/s; the middle one is drawn
-    sizes: FloatArray  # (sizes,), arms, m
-    # (2, 21), errors of the sensor states of the typical unit with `arm`, on the nineteen
-    # positions, in stated deviations: by the filter of 27 states, and by one that has the arms as
-    # states
-    ratios: FloatArray
-    # (2,), mean squared normalised innovation in these two runs; 1 is what it should be
-    innovations: FloatArray
-    # (schemes, rates, sizes), expected squared errors of the 21 sensor states, normalised; 1 is
-    # what they should be
-    squares: FloatArray
-    # (schemes, rates, sizes), expected mean squared normalised innovation; 1 is what it should be
-    noticed: FloatArray
-    # (schemes, rates, sizes), largest error of an accelerometer bias that the arms make, in stated
-    # deviations
-    worst: FloatArray
-    bias: FloatArray  # (schemes, rates, sizes), the same in m/s^2
-    # (schemes, rates), how many innovations of three components a calibration has
-    updates: FloatArray
-
-    @property
-    def shown(self) -> int:
-        """Index of the rate that is drawn."""
-        return len(self.rates) // 2
+FILTERS = ("filter of 27 states", "with the arms as states")
+BAND = 3.0
+"""Stated deviations within which errors should be."""
 
 
 def on_own_axes(arm: float | FloatArray) -> HigherOrderErrors:
@@ -80,7 +53,7 @@ def size_effect(
     rates: Sequence[float] = tuple(np.radians(RATES).tolist()),
     dwell: float = TABLE.scheme.dwell,
     seed: int = SEED,
-) -> SizeEffect:
+) -> DataTable:
     """Calibrate units with lever arms on tables of several rates: about a minute.
 
     `arm` is that of each accelerometer of the typical unit, on its own axis; `sizes` are arms of
@@ -89,26 +62,61 @@ def size_effect(
     arm = positive_number(arm, "arm")
     trials = [unit_with_arms(states, arm, dwell, seed) for states in ((), ("lever arms",))]
     ratios = [(t.errors / t.calibration.deviations)[-1, 6:27] for t in trials]
-    found = [
+    innovations = np.array([t.calibration.nis.mean() / 3 for t in trials])
+    found = np.array([
         [_without_noise(replace(scheme, rate=rate, dwell=dwell), sizes, seed) for rate in rates]
         for scheme in SCHEMES.values()
-    ]
-    squares, noticed, worst, bias, updates = (
-        np.array([[case[i] for case in row] for row in found]) for i in range(5)
-    )
-    innovations = np.array([t.calibration.nis.mean() / 3 for t in trials])
-    return SizeEffect(
-        arm, np.array(rates, float), np.array(sizes, float),
-        np.array(ratios), innovations, squares, noticed, worst, bias, updates,
+    ])  # fmt: skip
+    squares, noticed, worst, bias, updates = np.moveaxis(found, 2, 0)
+    names = ERROR_MODELS["averaged"].names[6:]
+    shape = squares.shape
+    scheme, rate, size = (index.ravel() for index in np.indices(shape))
+    turned = np.array(rates, float)[rate]
+    _, high = mean_square_bounds(3, int(updates[0, shape[1] // 2, 0]))
+    return DataTable(
+        {
+            "sensor_error": (list(names),),
+            "number": (np.arange(1, len(names) + 1),),
+            "in_deviations": (
+                np.array(ratios), "", "errors of the typical unit with arms, in stated deviations",
+                FILTERS,
+            ),
+            "innovations_over_expected": (innovations, "", "mean squared, of both filters"),
+            "with_arms_of": (np.array([arm]), "cm"),
+            "table": ([
+                f"{[*SCHEMES][i]} at {np.degrees(each):g} deg/s"
+                for i, each in zip(scheme, turned, strict=True)
+            ],),
+            "rate": (turned, "deg_per_s", "of the table"),
+            "arm": (np.array(sizes, float)[size], "cm", "of units without other errors"),
+            "squares": (
+                squares.ravel(), "", "expected squared errors of the sensor states over theirs"
+            ),
+            "noticed": (noticed.ravel(), "", "expected mean squared innovation, likewise"),
+            "worst": (
+                worst.ravel(), "",
+                "largest error of an accelerometer bias that the arms make, in stated deviations",
+            ),
+            "bias": (bias.ravel(), "m_per_s2", "the same"),
+            "updates": (updates.ravel(), "", "innovations of three components in a calibration"),
+            "band_from_deviations": ([-BAND],),
+            "band_to_deviations": ([BAND],),
+            "clean_innovations_below": ([high / 3], "", "95 % of those of a right filter"),
+        },
+        {"shape": (shape, "", "schemes, rates and arms")},
     )  # fmt: skip
 
 
-def _without_noise(
-    scheme: Scheme, sizes: Sequence[float], seed: int
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, int]:
-    """What the arms do by themselves: perfect sensors, and a filter that expects the usual noise.
+def on_tables(table: DataTable, name: str) -> FloatArray:
+    """Return a column by scheme, rate of the table (the middle one is drawn) and arm."""
+    return np.reshape(table.entry(name).values, table.shape)
 
-    Noise would add one to each expected square, and nothing else: the filter is nearly linear.
+
+def _without_noise(scheme: Scheme, sizes: Sequence[float], seed: int) -> FloatArray:
+    """What the arms do by themselves, and the updates (5, sizes): see the columns of the table.
+
+    The sensors are perfect, and the filter expects the usual noise. Noise would add one to each
+    expected square, and nothing else: the filter is nearly linear.
     """
     table = replace(
         TABLE,
@@ -124,10 +132,10 @@ def _without_noise(
     biases = [names.index(f"accelerometer bias {axis}") for axis in "xyz"]
     size = np.abs(errors[:, biases])
     deviations = np.sqrt(np.einsum("...ii->...i", covariance))[:, biases]
-    return (
+    return np.array([
         1 + nees(errors, covariance) / errors.shape[-1],
         1 + nis.mean(axis=-1) / 3,
         (size / deviations).max(axis=-1),
         size.max(axis=-1),
-        nis.shape[-1],
-    )
+        np.full(len(sizes), nis.shape[-1]),
+    ])  # fmt: skip

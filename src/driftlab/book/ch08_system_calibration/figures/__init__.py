@@ -1,6 +1,6 @@
 """The published figures of chapter 08, with their captions."""
 
-from driftlab.book.machinery.publish import FigureDefinition, table_figure
+from driftlab.book.machinery.publish import table_figure
 
 from .. import experiments
 from . import (
@@ -34,13 +34,12 @@ FIGURES = (
         calibration_errors.draw,
         calibration_errors.caption,
     ),
-    FigureDefinition(
+    table_figure(
         "08-designed-scheme",
         experiments.designed_schemes,
         designed_scheme.draw,
-        designed_scheme.columns,
         designed_scheme.caption,
-        designed_scheme.restore,
+        kept=True,
     ),
     table_figure(
         "08-filter-consistency",
@@ -48,29 +47,26 @@ FIGURES = (
         filter_consistency.draw,
         filter_consistency.caption,
     ),
-    FigureDefinition(
+    table_figure(
         "08-size-effect",
         experiments.size_effect,
         size_effect.draw,
-        size_effect.columns,
         size_effect.caption,
-        size_effect.restore,
+        kept=True,
     ),
-    FigureDefinition(
+    table_figure(
         "08-choice-of-axes",
         experiments.choice_of_axes,
         choice_of_axes.draw,
-        choice_of_axes.columns,
         choice_of_axes.caption,
-        choice_of_axes.restore,
+        kept=True,
     ),
     table_figure("08-in-place", experiments.errors_at_rest, in_place.draw, in_place.caption),
-    FigureDefinition(
+    table_figure(
         "08-in-place-claim",
         experiments.error_ratios_at_rest,
         in_place_claim.draw,
-        in_place_claim.columns,
         in_place_claim.caption,
-        in_place_claim.restore,
+        kept=True,
     ),
 )

@@ -1,134 +1,86 @@
 """Does the averaged choice of axes deviate less? The claim after Wu Figs. 3-5, over many units."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
-from scipy.constants import hour
 
-from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, in_style, legend_below_all
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.drawing import Drawing, from_table
+from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.motion.scheme import SCHEMES
 
-from ..experiments import (
-    ALL_STARTS,
-    QUANTITIES,
-    TRIANGLES,
-    Comparison,
-    InPlaceClaim,
-)
+from ..experiments import ALL_STARTS, QUANTITIES, TRIANGLES, Comparison, counted
 
 WIDE = (0.3, [0.3, 0.5, 1, 2, 3], 3.3)
 NARROW = (0.95, [0.96, 0.98, 1.0, 1.02, 1.04], 1.05)
 """Limits and ticks of the ratios; narrow ones where half of them lie within."""
 
 
-def columns(data: InPlaceClaim) -> dict[str, Any]:
-    """Columns of the figure's CSV: one row a unit, and in the last ones one row a comparison."""
-    counted = data.counted()
-    bounds = np.array([[each.better / each.units, *each.interval] for each in counted.values()]).T
-    table: dict[str, Any] = {_title(key): ratios.round(7) for key, ratios in data.ratios.items()}
-    return table | {
-        "at_rest_for_h": [data.duration / hour],
-        "case": [f"{key.scheme}; {key.rival}; {key.size:g}″" for key in counted],
-        "start": [key.start for key in counted],
-        "quantity": [key.quantity for key in counted],
-        **dict(zip(("part", "part_low", "part_high"), bounds, strict=True)),
-    }
-
-
-def restore(table: Mapping[str, Sequence[str]]) -> InPlaceClaim:
-    """Return the study that a CSV holds."""
-    ratios = {title: row for title, row in table.items() if title.count(", ") == 4}
-    return InPlaceClaim(
-        float(table["at_rest_for_h"][0]) * hour,
-        {
-            _comparison(title): np.array([float(word) for word in row if word])
-            for title, row in ratios.items()
-        },
-    )
-
-
-def _title(key: Comparison) -> str:
-    return (
-        f"{key.scheme}, {key.size:g} arc seconds, {key.rival}, start from {key.start}, "
-        f"{key.quantity}"
-    )
-
-
-def _comparison(title: str) -> Comparison:
-    scheme, size, rival, start, quantity = title.split(", ")
-    return Comparison(
-        scheme, float(size.split()[0]), rival, start.removeprefix("start from "), quantity
-    )
-
-
-def caption(data: InPlaceClaim) -> str:
+def caption(table: DataTable) -> str:
     """Say how many comparisons are certain, and for whom."""
-    counted = data.counted()
-    units = next(iter(counted.values())).units
+    verdicts = counted(table)
+    units = next(iter(verdicts.values())).units
     said = []
     for start in ALL_STARTS:
-        these = [each for key, each in counted.items() if key.start == start]
-        sure = [each for each in these if each.chance < data.certain]
+        these = [each for key, each in verdicts.items() if key.start == start]
+        sure = [each for each in these if each.chance < table.certain]
         wins = sum(each.better > units / 2 for each in sure)
         said.append(f"from {start} {wins} and {len(sure) - wins}")
-    sizes = " or ".join(f"{size:g}″" for size in data.sizes)
+    sizes = " or ".join(f"{size:g}″" for size in table.sizes)
     return (
         f"Random units, {units} bent by {sizes} each, calibrated in averaged axes and in two "
         "triangles "
         "on the same data, on the nineteen positions and on eighteen rotations, then at rest for "
-        f"{data.duration / hour:g} hours; the two computers begin from four starts. "
+        f"{table.shown('at_rest_for')[0]:g} hours; the two computers begin from four starts. "
         "Above: root mean square error with averaged axes over that with the upper triangle, on "
         "the nineteen positions; the scales differ. Below: part of the units in which averaged "
-        f"axes err less, with 95 % intervals, in all {len(counted)} comparisons. Certain "
-        f"(each below 0.05/{len(counted)}) are, in the "
-        f"{len(counted) // len(ALL_STARTS)} comparisons for each start, these gains "
+        f"axes err less, with 95 % intervals, in all {len(verdicts)} comparisons. Certain "
+        f"(each below 0.05/{len(verdicts)}) are, in the "
+        f"{len(verdicts) // len(ALL_STARTS)} comparisons for each start, these gains "
         f"and losses of averaged axes: {', '.join(said)}."
     )
 
 
-@in_style
-def draw(data: InPlaceClaim, sheet: Sheet) -> Figure:
+@from_table
+def draw(drawing: Drawing) -> None:
     """Draw a column for each start: distributions of the ratio in one case, counts in all.
 
     On a narrow sheet the starts stand one below the other.
     """
-    rows, starts = len(data.sizes) + 1, len(ALL_STARTS)
+    table, sheet = drawing.table, drawing.sheet
+    rows, starts = len(table.sizes) + 1, len(ALL_STARTS)
     letters = np.array([chr(ord("a") + i) for i in range(rows * starts)]).reshape(rows, starts)
     heights = [1.0] * (rows - 1) + [1.75]
     wide, *halves = (
         ";".join("".join(row) for row in part)
         for part in (letters, letters[:, : starts // 2], letters[:, starts // 2 :])
     )
-    figure, panels = sheet.mosaic(
+    panels = drawing.mosaic(
         wide, (10.5, 9.0), (0.085, 0.115, 0.985, 0.965), column=";".join(halves),
         page_height=7.4, column_height=9.4, spaces=(0.13, 0.37),
         height_ratios=heights, column_heights=2 * heights,
     )  # fmt: skip
     first = {0, starts // 2} if sheet.narrow else {0}
-    for row, size in zip(letters, data.sizes, strict=False):
+    for row, size in zip(letters, table.sizes, strict=False):
         for i, start in enumerate(ALL_STARTS):
             panel = panels[row[i]]
-            _draw_ratios(panel, data, size, start, sheet)
+            _draw_ratios(drawing, panel, size, start)
             panel.tick_params(labelleft=i in first)
             if i in first:
                 panel.set_ylabel("part below" if sheet.narrow else "part of the units below")
     for i, start in enumerate(ALL_STARTS):
         panel = panels[letters[-1, i]]
-        _draw_counts(panel, data, start, sheet)
+        _draw_counts(drawing, panel, start)
         panel.set_yticks(range(len(QUANTITIES)), QUANTITIES if i in first else [])
-    _label(figure, panels, letters, sheet)
-    return figure
+    _label(drawing, panels, letters)
 
 
-def _label(
-    figure: Figure, panels: Mapping[str, Axes], letters: NDArray[np.str_], sheet: Sheet
-) -> None:
+def _label(drawing: Drawing, panels: Mapping[str, Axes], letters: NDArray[np.str_]) -> None:
     """Words below the panels, and the legends."""
+    figure, sheet = drawing.figure, drawing.sheet
     small = "small" if sheet.on_paper else 8
     last = panels[letters[-1, 0]]
     panels["a"].legend(loc="lower right", fontsize=small)
@@ -153,16 +105,16 @@ def _say(panel: Axes, size: str, start: str, sheet: Sheet) -> None:
     panel.set_title(words, fontsize="small" if sheet.on_paper else 9)
 
 
-def _draw_ratios(panel: Axes, data: InPlaceClaim, size: float, start: str, sheet: Sheet) -> None:
+def _draw_ratios(drawing: Drawing, panel: Axes, size: float, start: str) -> None:
     """Distribution functions of the ratio, on the first scheme and against the first triangle."""
+    sheet = drawing.sheet
     drawn = {
-        quantity: np.sort(
-            data.ratios[Comparison(next(iter(SCHEMES)), size, TRIANGLES[0], start, quantity)]
-        )
+        quantity: str(Comparison(next(iter(SCHEMES)), size, TRIANGLES[0], start, quantity))
         for quantity in QUANTITIES
     }
+    ratios = [drawing.table.ratio[words] for words in drawn.values()]
     # From the table's axes, and for units bent much, the ratios differ by more than per cents.
-    spread = np.concatenate([np.quantile(ratios, [0.25, 0.75]) for ratios in drawn.values()])
+    spread = np.concatenate([np.quantile(each, [0.25, 0.75]) for each in ratios])
     typical = NARROW[0] < spread.min() and spread.max() < NARROW[2]
     low, ticks, high = NARROW if typical else WIDE
     panel.set(xscale="log", xlim=(low, high), ylim=(0, 1))
@@ -173,33 +125,32 @@ def _draw_ratios(panel: Axes, data: InPlaceClaim, size: float, start: str, sheet
     panel.minorticks_off()
     panel.axvline(1.0, color=BLACK, linewidth=0.8, label=GUIDE)
     panel.axhline(0.5, color=GREY, linewidth=0.8, label=GUIDE)
-    for (quantity, ratios), style in zip(drawn.items(), SERIES, strict=False):
-        parts = np.arange(1, len(ratios) + 1) / len(ratios)
-        panel.step(ratios, parts, where="post", **style, label=quantity)
+    for (quantity, words), style in zip(drawn.items(), SERIES, strict=False):
+        drawing.distribution(panel, f"ratio, {words}", **style, label=quantity)
 
 
-def _draw_counts(panel: Axes, data: InPlaceClaim, start: str, sheet: Sheet) -> None:
+def _draw_counts(drawing: Drawing, panel: Axes, start: str) -> None:
     """Part of the units that err less with averaged axes, with 95 % intervals, in all cases."""
+    table, sheet = drawing.table, drawing.sheet
     panel.set(ylim=(len(QUANTITIES) - 0.5, -0.5))
     _say(panel, "all", start, sheet)
     panel.axvline(0.5, color=BLACK, linewidth=0.8, label=GUIDE)
-    counted = data.counted()
-    cases = [(s, rival, size) for s in SCHEMES for rival in TRIANGLES for size in data.sizes]
-    reach = [0.3, 0.9]
+    cases = [(s, rival, size) for s in SCHEMES for rival in TRIANGLES for size in table.sizes]
+    places = np.arange(len(QUANTITIES), dtype=np.float64)
     dot = 0.55 if sheet.on_paper else 1.0
     for k, (scheme, rival, size) in enumerate(cases):
-        found = [counted[Comparison(scheme, size, rival, start, name)] for name in QUANTITIES]
-        part = np.array([each.better / each.units for each in found])
-        low, high = np.transpose([each.interval for each in found])
-        reach = [min(reach[0], low.min() - 0.02), max(reach[1], high.max() + 0.02)]
-        kind, bent = divmod(k, len(data.sizes))
+        kind, bent = divmod(k, len(table.sizes))
         word = rival.removesuffix(" triangle") if sheet.on_paper else rival
-        panel.errorbar(
-            part, np.arange(len(found)) + 0.1 * (k - (len(cases) - 1) / 2),
-            xerr=[part - low, high - part], color=SERIES[kind]["color"], marker="os^D"[kind],
-            markersize=4.5 * dot, elinewidth=1.5 * dot, linestyle="none",
-            markerfacecolor=None if bent else "white", label=f"{scheme}, {word}, {size:g}″",
+        drawing.error_bars(
+            panel, "part", places + 0.1 * (k - (len(cases) - 1) / 2),
+            "part_low", "part_high", across=True,
+            where={"case": f"{scheme}; {rival}; {size:g}″", "start": start},
+            color=SERIES[kind]["color"], marker="os^D"[kind], markersize=4.5 * dot,
+            elinewidth=1.5 * dot, linestyle="none", markerfacecolor=None if bent else "white",
+            label=f"{scheme}, {word}, {size:g}″",
         )  # fmt: skip
-    panel.set_xlim(*reach)
+    own = np.array(table.start) == start
+    low, high = table.part_low[own].min() - 0.02, table.part_high[own].max() + 0.02
+    panel.set_xlim(min(0.3, low), max(0.9, high))
     for row in range(1, len(QUANTITIES)):
-        panel.axhline(row - 0.5, color=GREY, linewidth=0.5)
+        panel.axhline(row - 0.5, color=GREY, linewidth=0.5, label=GUIDE)
