@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -33,16 +34,15 @@ from driftlab.book.ch08_system_calibration.experiments import (
     unit_of,
 )
 from driftlab.book.ch08_system_calibration.experiments.choice_of_axes import UNITS
-from driftlab.book.ch08_system_calibration.figures.table_observability import (
-    TableObservabilityPicture,
-)
 from driftlab.book.ledger import ledger_entries
 from driftlab.book.machinery.publish import PublishedFigure
-from driftlab.calibration.covariance import covariance_analysis
-from driftlab.calibration.design_task import CRITERIA
-from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.linearization import linearize_along
-from driftlab.calibration.observability import unobservable_subspace
+from driftlab.calibration import (
+    CRITERIA,
+    ERROR_MODELS,
+    covariance_analysis,
+    linearize_along,
+    unobservable_subspace,
+)
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES, Scheme
@@ -193,8 +193,7 @@ def test_table_observability_draws_zero_for_the_unobservable(figure: PublishedFi
     assert (data.eigenvalue_relative[:3] == DRAWN_ZERO).all()
     assert data.eigenvalues[3] > 1e-10
     assert len(data.descriptions) == 3
-    drawn = TableObservabilityPicture()
-    drawn.update(data)
+    drawn: Any = figure.definition.draw(data)
     assert len(drawn.unobservable.get_xdata()) == 3
     assert len(drawn.bright.get_xdata()) == 27
     assert len(drawn.ratios.get_xdata()) == 24

@@ -1,5 +1,7 @@
 """In place after a calibration: the typical unit, and the claim that averaged axes deviate less."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 from scipy.stats import binom
@@ -12,14 +14,14 @@ from driftlab.book.ch08_system_calibration.experiments import (
     STARTS,
     TRIANGLES,
     Comparison,
-    counted,
+    comparisons,
     error_ratios,
     starts,
     verdict,
 )
 from driftlab.book.ledger import ledger_entries
 from driftlab.book.machinery.publish import PublishedFigure
-from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
+from driftlab.calibration import attitude_error, attitude_of_axes, imu_errors_in_frame
 from driftlab.imu import TYPICAL_ERRORS
 from driftlab.motion.scheme import SCHEMES
 from published import percent, published
@@ -32,9 +34,8 @@ def test_in_place_curves_are_one_if_both_start_from_one_attitude(figure: Publish
     averaged, usual = FRAMES
     for quantity in ("velocity", "position"):
         curves = {
-            (frame, start): data.entry(f"{quantity}, {axes}, start from {start}").values
-            for frame, axes in FRAMES.items()
-            for start in STARTS
+            (frame, start): data.entry(f"{quantity}, {FRAMES[frame]}, start from {start}").values
+            for frame, start in product(FRAMES, STARTS)
         }
         apart = np.abs(curves[averaged, one] - curves[usual, one]).max()
         assert apart < 0.01 * np.abs(curves[averaged, one]).max()
@@ -60,13 +61,13 @@ def test_analytic_curves_lie_on_the_simulated_ones(figure: PublishedFigure) -> N
 
 
 def test_in_place_claim_verdict_counts() -> None:
-    found = verdict(np.array([0.5, 0.9, 0.99, 1.2]))
-    assert (found.better, found.units) == (3, 4)
+    counted = verdict(np.array([0.5, 0.9, 0.99, 1.2]))
+    assert (counted.better, counted.units) == (3, 4)
     # 3 or 4 of four, and 0 or 1: 5 of 16 cases on each side.
-    assert found.chance == pytest.approx(10 / 16)
-    assert found.median == pytest.approx(0.945)
+    assert counted.chance == pytest.approx(10 / 16)
+    assert counted.median == pytest.approx(0.945)
     # Clopper and Pearson: the chance of 3 or more is 2.5 % at the lower bound.
-    low, high = found.interval
+    low, high = counted.interval
     assert binom.sf(2, 4, low) == pytest.approx(0.025)
     assert binom.cdf(3, 4, high) == pytest.approx(0.025)
 
@@ -75,14 +76,8 @@ def test_in_place_claim_verdict_counts() -> None:
 def test_in_place_claim_is_read_from_the_study_that_the_code_makes(figure: PublishedFigure) -> None:
     """The study takes a minute, so one of its cases of two hundred units is computed anew."""
     ratios = figure.data.ratio
-    assert list(ratios) == [
-        str(Comparison(scheme, size, rival, start, quantity))
-        for scheme in SCHEMES
-        for size in AT_REST_SIZES
-        for rival in TRIANGLES
-        for start in ALL_STARTS
-        for quantity in QUANTITIES
-    ]
+    keys = product(SCHEMES, AT_REST_SIZES, TRIANGLES, ALL_STARTS, QUANTITIES)
+    assert list(ratios) == [str(Comparison(*key)) for key in keys]
     for key, found in error_ratios("18 rotations", 400, ("lower triangle",)).items():
         # A covariance of 27 states keeps seven digits or so, and small errors are differences:
         # other processors have moved some ratios by two in the fifth digit.
@@ -93,13 +88,13 @@ def test_in_place_claim_is_read_from_the_study_that_the_code_makes(figure: Publi
 def test_averaged_axes_win_from_some_starts_and_lose_from_none(
     figure: PublishedFigure,
 ) -> None:
-    found, few = counted(figure.data), figure.data.certain
+    counted, few = comparisons(figure.data), figure.data.certain
     one, sensed, own, table = ALL_STARTS
     # No rounding in the table has made a ratio one.
     assert all((ratios != 1).all() for ratios in figure.data.ratio.values())
     assert few == pytest.approx(0.05 / 96)
-    sure = [key for key, each in found.items() if each.chance < few]
-    assert all(found[key].better > 100 for key in sure)
+    sure = [key for key, each in counted.items() if each.chance < few]
+    assert all(counted[key].better > 100 for key in sure)
     # From one attitude and from its own sensors nothing is certain.
     assert {key.start for key in sure} == {own, table}
     upper, lower = TRIANGLES
@@ -110,12 +105,12 @@ def test_averaged_axes_win_from_some_starts_and_lose_from_none(
         (eighteen, 40, lower, own, "attitude"),
     ]
     # From the table's axes velocity in all cases, and everything in units bent most.
-    for key, each in found.items():
+    for key, each in counted.items():
         if key.start == table:
             assert each.better > 100
             assert key in sure or (key.size == 40 and key.quantity != "velocity")
     # Typical units come out alike within two thousandths from one attitude and their own sensors.
-    for key, each in found.items():
+    for key, each in counted.items():
         if key.size == 40 and key.start in {one, sensed}:
             assert each.median == pytest.approx(1, abs=2e-3)
 
@@ -123,27 +118,27 @@ def test_averaged_axes_win_from_some_starts_and_lose_from_none(
 @published("08-in-place-claim")
 def test_numbers_of_the_ledger_are_those_of_the_study_in_place(figure: PublishedFigure) -> None:
     (entry,) = (e for e in ledger_entries() if e.label == "Deviates less overall")
-    found, few = counted(figure.data), figure.data.certain
+    counted, few = comparisons(figure.data), figure.data.certain
     one, sensed, own, table = ALL_STARTS
     upper, lower = TRIANGLES
     nineteen, eighteen = SCHEMES
-    sure = [key for key, each in found.items() if each.chance < few]
-    moving = [e for k, e in found.items() if (k.start, k.quantity) == (table, "velocity")]
-    typical, bent = (found[nineteen, size, upper, own, "velocity"] for size in AT_REST_SIZES)
-    attitude = found[eighteen, 40, lower, own, "attitude"]
-    alike = {key: each for key, each in found.items() if key.start in {one, sensed}}
+    sure = [key for key, each in counted.items() if each.chance < few]
+    moving = [e for k, e in counted.items() if (k.start, k.quantity) == (table, "velocity")]
+    typical, bent = (counted[nineteen, size, upper, own, "velocity"] for size in AT_REST_SIZES)
+    attitude = counted[eighteen, 40, lower, own, "attitude"]
+    alike = {key: each for key, each in counted.items() if key.start in {one, sensed}}
 
     def medians(size: int, digits: int) -> str:
-        those = [each.median for key, each in alike.items() if key.size == size]
-        return f"from {min(those):.{digits}f} to {max(those):.{digits}f} at {size}"
+        found = [each.median for key, each in alike.items() if key.size == size]
+        return f"from {min(found):.{digits}f} to {max(found):.{digits}f} at {size}"
 
-    def counts(of_each: list[int]) -> str:
-        return f"{min(of_each)} to {max(of_each)} of 200"
+    def counts(found: list[int]) -> str:
+        return f"{min(found)} to {max(found)} of 200"
 
     lows, highs = zip(*(each.interval for each in moving), strict=True)
     ratios = [each.median for each in moving]
     for words in (
-        f"Of these {len(found)} comparisons {len(sure)} are certain",
+        f"Of these {len(counted)} comparisons {len(sure)} are certain",
         f"in {counts([each.better for each in moving])} units",
         f"between {100 * min(lows):.0f} and {100 * max(highs):.0f} %",
         f"from {min(ratios):.2f} to {max(ratios):.2f}, and",

@@ -6,9 +6,7 @@ import pytest
 from driftlab.book.ch08_system_calibration.experiments import scheme_run
 from driftlab.book.ch08_system_calibration.scenes import PLAYED
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration.covariance import covariance_analysis
-from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.linearization import linearize_along
+from driftlab.calibration import ERROR_MODELS, covariance_analysis, linearize_along
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS
 from driftlab.motion.turntable import table_trajectory

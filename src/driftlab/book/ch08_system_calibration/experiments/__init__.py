@@ -1,11 +1,6 @@
 """Experiments of chapter 08: what a turntable shows, calibrations, and what they are good for."""
 
-from .at_rest import (
-    FRAMES as FRAMES,
-    REST_DURATION as REST_DURATION,
-    SHOWN as SHOWN,
-    errors_at_rest as errors_at_rest,
-)
+from .at_rest import FRAMES as FRAMES, SHOWN as SHOWN, errors_at_rest as errors_at_rest
 from .calibration import (
     PARAMETERS as PARAMETERS,
     calibration_errors as calibration_errors,
@@ -19,8 +14,6 @@ from .choice_of_axes import (
     CASES as CASES,
     MORE as MORE,
     PASSES as PASSES,
-    SIZES as SIZES,
-    UNITS as UNITS,
     Case as Case,
     choice_of_axes as choice_of_axes,
     compared as compared,
@@ -28,11 +21,7 @@ from .choice_of_axes import (
     normalised_errors as normalised_errors,
     squares_of as squares_of,
 )
-from .consistency import (
-    QUICK_TRIAL as QUICK_TRIAL,
-    RUNS as RUNS,
-    filter_consistency as filter_consistency,
-)
+from .consistency import QUICK_TRIAL as QUICK_TRIAL, filter_consistency as filter_consistency
 from .designed_schemes import (
     BEST as BEST,
     CLASSES as CLASSES,
@@ -47,25 +36,16 @@ from .designed_schemes import (
 )
 from .in_place_claim import (
     AT_REST_SIZES as AT_REST_SIZES,
-    AVERAGED as AVERAGED,
     QUANTITIES as QUANTITIES,
     TRIANGLES as TRIANGLES,
     Comparison as Comparison,
-    counted as counted,
+    comparisons as comparisons,
     error_ratios as error_ratios,
     error_ratios_at_rest as error_ratios_at_rest,
 )
-from .left_out import (
-    LeftOut as LeftOut,
-    left_out as left_out,
-)
-from .mission import (
-    SETTABLE as SETTABLE,
-    mission as mission,
-)
-from .scheme_run import (
-    scheme_run as scheme_run,
-)
+from .left_out import left_out as left_out
+from .mission import SETTABLE as SETTABLE, mission as mission
+from .scheme_run import scheme_run as scheme_run
 from .schemes import (
     DRAWN_ZERO as DRAWN_ZERO,
     SLOTS as SLOTS,
@@ -79,17 +59,8 @@ from .size_effect import (
     ARM_SIZES as ARM_SIZES,
     FILTERS as FILTERS,
     RATES as RATES,
-    on_own_axes as on_own_axes,
     on_tables as on_tables,
     size_effect as size_effect,
-    unit_with_arms as unit_with_arms,
 )
-from .starts import (
-    ALL_STARTS as ALL_STARTS,
-    STARTS as STARTS,
-    self_aligned as self_aligned,
-)
-from .verdicts import (
-    Verdict as Verdict,
-    verdict as verdict,
-)
+from .starts import ALL_STARTS as ALL_STARTS, STARTS as STARTS, self_aligned as self_aligned
+from .verdicts import verdict as verdict

@@ -24,21 +24,17 @@ PARAMETERS = (
 )
 """The 21 sensor errors of a model whose axes the gyros fix. What the three off-diagonal entries
 of the gyros are depends on the axes."""
-STATE_UNITS = (
-    ("gyro bias", "deg_per_h"),
-    ("gyro scale", "ppm"),
-    ("gyro", "arcsec"),
-    ("accelerometer bias", "ug"),
-    ("accelerometer scale", "ppm"),
-    ("accelerometer", "arcsec"),
-)
+STATE_UNITS = {
+    "gyro bias": "deg_per_h", "gyro scale": "ppm", "gyro": "arcsec",
+    "accelerometer bias": "ug", "accelerometer scale": "ppm", "accelerometer": "arcsec",
+}  # fmt: skip
 """Beginning of a state's name, and its unit in `UNITS`; the first that fits."""
 UNIT_NAMES = {"deg_per_h": "deg/h", "arcsec": "arc seconds", "ug": "µg"}
 
 
 def state_unit(name: str) -> str:
     """Return the unit, one of `UNITS`, in which a sensor error is usually given."""
-    return next(unit for start, unit in STATE_UNITS if name.startswith(start))
+    return next(unit for start, unit in STATE_UNITS.items() if name.startswith(start))
 
 
 def unit_of(name: str) -> tuple[float, str]:
@@ -126,14 +122,10 @@ def calibration_errors(
     names = calibration.model.names
     columns: dict[str, tuple[Any, ...]] = {"time": (calibration.times, "min", "since the start")}
     for i, name in enumerate(names[6:], 6):
-        columns[f"error, {name}"] = (np.abs(found.errors[:, i]), state_unit(name))
-        columns[f"three_deviations, {name}"] = (
-            3 * calibration.deviations[:, i], state_unit(name)
-        )  # fmt: skip
-    return DataTable(
-        columns,
-        {
-            "names": (names[6:], "", "of the sensor errors"),
-            "positions": (scheme.positions, "", "pauses of the scheme"),
-        },
-    )
+        unit, three = state_unit(name), 3 * calibration.deviations[:, i]
+        columns[f"error, {name}"] = (np.abs(found.errors[:, i]), unit)
+        columns[f"three_deviations, {name}"] = (three, unit)
+    return DataTable(columns, {
+        "names": (names[6:], "", "of the sensor errors"),
+        "positions": (scheme.positions, "", "pauses of the scheme"),
+    })  # fmt: skip

@@ -85,11 +85,8 @@ def choice_of_axes(
     rivals = [(s, p, rival) for p in PASSES for s in SCHEMES for rival in BODY_FRAMES[1:]]
     parts = []
     for scheme, passes, rival in rivals:
-        averaged, other = (
-            squares[Case(scheme, bent[-1], frame, passes)] for frame in (BODY_FRAMES[0], rival)
-        )
-        counted = verdict(averaged / other)
-        parts.append((counted.better / counted.units, *counted.interval))
+        pair = (Case(scheme, bent[-1], frame, passes) for frame in (BODY_FRAMES[0], rival))
+        parts.append(verdict(np.divide(*map(squares.__getitem__, pair))).part)
     part, low, high = np.transpose(parts)
     return DataTable(
         {
@@ -103,13 +100,10 @@ def choice_of_axes(
             ),
             "mean_of": ([f"{case.scheme}; {PASSES[case.passes]}" for case in squares],),
             "axes": ([case.frame for case in squares],),
-            "drawn_at": (
-                # Choices of axes are drawn side by side, or they would hide each other.
-                arcsecond * np.array([
-                    case.size * 1.04 ** (BODY_FRAMES.index(case.frame) - 2) for case in squares
-                ]),
-                "arcsec", "spread of the installation errors, beside which a mean is drawn",
-            ),
+            # Choices of axes are drawn side by side, or they would hide each other.
+            "drawn_at": (arcsecond * np.array([
+                case.size * 1.04 ** (BODY_FRAMES.index(case.frame) - 2) for case in squares
+            ]), "arcsec", "spread of the installation errors, or close to it"),
             "mean": (means, "", "of the units; 1 is what it should be"),
             "mean_low": (means - errors, "", "mean less its standard error"),
             "mean_high": (means + errors,),
@@ -119,9 +113,7 @@ def choice_of_axes(
             "part_low": (low, "", "95 % interval"),
             "part_high": (high,),
         },
-        {
-            "sizes": (bent, "", "spreads of the installation errors, arc seconds"),
-        },
+        {"sizes": (bent, "", "spreads of the installation errors, arc seconds")},
     )  # fmt: skip
 
 
@@ -133,8 +125,8 @@ def squares_of(study: DataTable, case: Case) -> FloatArray:
 
 def compared(study: DataTable, scheme: str, size: float, rival: str, passes: int = 1) -> Verdict:
     """How often averaged axes err less than a rival choice, unit by unit; see `Case`."""
-    averaged, other = _pair(study, scheme, size, rival, passes)
-    return verdict(averaged / other)
+    cases = (Case(scheme, size, frame, passes) for frame in (BODY_FRAMES[0], rival))
+    return verdict(np.divide(*(squares_of(study, case) for case in cases)))
 
 
 def excess(study: DataTable, scheme: str, size: float, rival: str) -> tuple[float, float]:
@@ -142,18 +134,9 @@ def excess(study: DataTable, scheme: str, size: float, rival: str) -> tuple[floa
 
     After one pass; the units are paired.
     """
-    averaged, other = _pair(study, scheme, size, rival)
-    more = averaged - other
+    cases = (Case(scheme, size, frame, 1) for frame in (BODY_FRAMES[0], rival))
+    more = np.subtract(*(squares_of(study, case) for case in cases))
     return float(more.mean()), float(more.std(ddof=1) / np.sqrt(more.size))
-
-
-def _pair(
-    study: DataTable, scheme: str, size: float, rival: str, passes: int = 1
-) -> tuple[FloatArray, FloatArray]:
-    return (
-        squares_of(study, Case(scheme, size, BODY_FRAMES[0], passes)),
-        squares_of(study, Case(scheme, size, rival, passes)),
-    )
 
 
 def normalised_errors(

@@ -69,9 +69,7 @@ def error_ratios_at_rest(
             ratios |= error_ratios(
                 scheme, size, units=units, duration=duration, dwell=dwell, seed=seed
             )
-    verdicts = [verdict(values) for values in ratios.values()]
-    parts = [(each.better / each.units, *each.interval) for each in verdicts]
-    part, low, high = np.transpose(parts)
+    part, low, high = np.transpose([verdict(values).part for values in ratios.values()])
     return DataTable(
         {
             "ratio": (
@@ -94,7 +92,7 @@ def error_ratios_at_rest(
     )  # fmt: skip
 
 
-def counted(study: DataTable) -> dict[Comparison, Verdict]:
+def comparisons(study: DataTable) -> dict[Comparison, Verdict]:
     """How often averaged axes err less, unit by unit, in every comparison."""
     keys = product(SCHEMES, study.sizes, TRIANGLES, ALL_STARTS, QUANTITIES)
     return {key: verdict(study.ratio[str(key)]) for key in (Comparison(*each) for each in keys)}

@@ -3,37 +3,19 @@
 Each size follows from a stated assumption; what it would bias is the state that takes it up.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 from scipy.constants import degree, g, hour, micro
 
-from driftlab.calibration.error_model import ERROR_MODELS
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.calibration import ERROR_MODELS
 from driftlab.motion.scheme import NINETEEN_POSITIONS
 
 from .calibration import unit_of
 from .designed_schemes import expected_covariance
 
 
-class LeftOut(NamedTuple):
-    """One thing that is left out."""
-
-    name: str
-    assumed: str  # what is taken for granted of it
-    state: str  # beginning of the name of the states that would take it up
-    size: float  # of the bias that it makes there, in the states' units
-    # largest standard deviation that the filter of 27 states has for them, nineteen positions
-    stated: float
-
-    @property
-    def by(self) -> str:
-        """Size to two digits, in the unit in which the states are usually given; or "nothing"."""
-        unit_size, unit = unit_of(self.state)
-        return f"{float(f'{self.size / unit_size:.2g}'):g} {unit}" if self.size else "nothing"
-
-
-def left_out(latitude: float) -> list[LeftOut]:
-    """Return a list of what is left out, for a table at a latitude, rad."""
+def left_out(latitude: float) -> DataTable:
+    """Return a table of what is left out, for a table at a latitude, rad."""
     model = ERROR_MODELS["averaged"]
     stated = np.sqrt(np.diag(expected_covariance(NINETEEN_POSITIONS, latitude)))
     # Noise of the reference that remembers for so long counts as so many times its variance.
@@ -61,11 +43,22 @@ def left_out(latitude: float) -> list[LeftOut]:
         ("quantisation of the accelerometers", "pulses of 1 mm/s, over one pause",
          "accelerometer bias", np.sqrt(2) * pulse / pause),
     )  # fmt: skip
-    return [
-        LeftOut(name, assumed, state, float(size), _largest(state, model.names, stated))
-        for name, assumed, state, size in kinds
+    names, assumed, states, sizes = zip(*kinds, strict=True)
+    # Largest standard deviation that the filter of 27 states has for them, nineteen positions.
+    known = [
+        max(x for name, x in zip(model.names, stated, strict=True) if name.startswith(state))
+        for state in states
     ]
+    return DataTable({
+        "name": (names, "", "of what is left out"),
+        "assumed": (assumed, "", "what is taken for granted of it"),
+        "state": (states, "", "beginning of the name of the states that would take it up"),
+        "by": ([_words(*each) for each in zip(states, sizes, strict=True)], "", "bias there"),
+        "in_deviations": (np.array(sizes) / known, "", "this bias, in deviations stated for them"),
+    })  # fmt: skip
 
 
-def _largest(state: str, names: tuple[str, ...], stated: np.ndarray) -> float:
-    return float(max(x for name, x in zip(names, stated, strict=True) if name.startswith(state)))
+def _words(state: str, size: float) -> str:
+    """Size to two digits, in the unit in which the states are usually given; or "nothing"."""
+    unit_size, unit = unit_of(state)
+    return f"{float(f'{size / unit_size:.2g}'):g} {unit}" if size else "nothing"

@@ -9,13 +9,10 @@ from driftlab.calibration import MissionErrors, static_error_modes
 
 POINTS = 361
 DAY = 86400.0
-
-
 SETTABLE = {
-    **{7: "gyro bias East", 8: "gyro bias North", 9: "gyro bias Up"},
-    **{10: "acc. bias East", 11: "acc. bias North"},
-    **{0: "tilt East", 1: "tilt North", 2: "azimuth"},
-}
+    7: "gyro bias East", 8: "gyro bias North", 9: "gyro bias Up", 10: "acc. bias East",
+    11: "acc. bias North", 0: "tilt East", 1: "tilt North", 2: "azimuth",
+}  # fmt: skip
 """Causes that a reader can set: their place in `STATIC_CAUSES`, and a short name."""
 
 

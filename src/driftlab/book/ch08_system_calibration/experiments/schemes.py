@@ -43,21 +43,18 @@ SLOTS = [short_name(name) for name in FULL.names[6:]]
 
 def up_in_body_axes(schemes: Sequence[Scheme] = tuple(SCHEMES.values())) -> DataTable:
     """Compute which way is up in the body along rotation schemes, once a second."""
+    named = {scheme_name(each): each for each in schemes}
     columns: dict[str, tuple[Any, ...]] = {}
-    names = [scheme_name(each) for each in schemes]
-    for name, scheme in zip(names, schemes, strict=True):
+    for name, scheme in named.items():
         attitude = table_trajectory(scheme, 0.0, 1.0).attitude
         up = rotate(conjugate(attitude), [0.0, 0.0, 1.0]).T
         columns[f"time, {name}"] = (np.arange(len(attitude), dtype=np.float64), "min")
         columns[f"up, {name}"] = (up, "", "along each body axis", ("x", "y", "z"), 6)
-    return DataTable(
-        columns,
-        {
-            "names": (names, "", "of the schemes"),
-            "pauses": ([each.dwell for each in schemes], "s", "length of each pause"),
-            "rates": ([each.rate for each in schemes], "deg_per_s", "of the turns"),
-        },
-    )
+    return DataTable(columns, {
+        "names": ([*named], "", "of the schemes"),
+        "pauses": ([each.dwell for each in named.values()], "s", "length of each pause"),
+        "rates": ([each.rate for each in named.values()], "deg_per_s", "of the turns"),
+    })  # fmt: skip
 
 
 def scheme_name(scheme: Scheme) -> str:

@@ -2,12 +2,11 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.calibration import ERROR_MODELS, TableTrial, Trial, nees
+from driftlab.calibration import ERROR_MODELS, TableTrial, nees
 from driftlab.checks import FloatArray, positive_number
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS, HigherOrderErrors
 from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise
@@ -34,19 +33,6 @@ def on_own_axes(arm: float | FloatArray) -> HigherOrderErrors:
     return NO_HIGHER_ORDER_ERRORS._replace(lever_arms=lengths * np.eye(3))
 
 
-@cache
-def unit_with_arms(
-    states: tuple[str, ...] = (),
-    arm: float = ARM,
-    dwell: float = TABLE.scheme.dwell,
-    seed: int = SEED,
-) -> Trial:
-    """Calibrate the typical unit with arms, m, on the nineteen positions, pauses of `dwell` s."""
-    table = replace(TABLE, states=states, scheme=replace(TABLE.scheme, dwell=dwell))
-    rng = np.random.default_rng(seed)
-    return table.run(rng, imu_errors=TYPICAL_ERRORS, higher_order=on_own_axes(arm))
-
-
 def size_effect(
     arm: float = ARM,
     sizes: Sequence[float] = ARM_SIZES,
@@ -60,7 +46,13 @@ def size_effect(
     units without other errors.
     """
     arm = positive_number(arm, "arm")
-    trials = [unit_with_arms(states, arm, dwell, seed) for states in ((), ("lever arms",))]
+    table = replace(TABLE, scheme=replace(TABLE.scheme, dwell=dwell))
+    trials = [
+        replace(table, states=states).run(
+            np.random.default_rng(seed), imu_errors=TYPICAL_ERRORS, higher_order=on_own_axes(arm)
+        )
+        for states in ((), ("lever arms",))
+    ]
     ratios = [(t.errors / t.calibration.deviations)[-1, 6:27] for t in trials]
     innovations = np.array([t.calibration.nis.mean() / 3 for t in trials])
     found = np.array([
@@ -89,14 +81,9 @@ def size_effect(
             ],),
             "rate": (turned, "deg_per_s", "of the table"),
             "arm": (np.array(sizes, float)[size], "cm", "of units without other errors"),
-            "squares": (
-                squares.ravel(), "", "expected squared errors of the sensor states over theirs"
-            ),
-            "noticed": (noticed.ravel(), "", "expected mean squared innovation, likewise"),
-            "worst": (
-                worst.ravel(), "",
-                "largest error of an accelerometer bias that the arms make, in stated deviations",
-            ),
+            "squares": (squares.ravel(), "", "expected squared errors of states over variances"),
+            "noticed": (noticed.ravel(), "", "expected mean squared innovation, normalised"),
+            "worst": (worst.ravel(), "", "largest error of an accelerometer bias, in deviations"),
             "bias": (bias.ravel(), "m_per_s2", "the same"),
             "updates": (updates.ravel(), "", "innovations of three components in a calibration"),
             "band_from_deviations": ([-BAND],),
@@ -118,12 +105,8 @@ def _without_noise(scheme: Scheme, sizes: Sequence[float], seed: int) -> FloatAr
     The sensors are perfect, and the filter expects the usual noise. Noise would add one to each
     expected square, and nothing else: the filter is nearly linear.
     """
-    table = replace(
-        TABLE,
-        scheme=scheme,
-        noise=ImuNoise(0.0, 0.0, 0.0),
-        assumed_noise=TABLE.noise,
-    )
+    quiet = ImuNoise(0.0, 0.0, 0.0)
+    table = replace(TABLE, scheme=scheme, noise=quiet, assumed_noise=TABLE.noise)
     rng, arms = np.random.default_rng(seed), on_own_axes(np.array(sizes, float))
     trial = table.run(rng, len(sizes), imu_errors=NO_ERRORS, higher_order=arms)
     errors, nis = trial.errors[:, -1, 6:], trial.calibration.nis

@@ -18,6 +18,11 @@ class Verdict(NamedTuple):
     chance: float
     median: float  # of the ratios
 
+    @property
+    def part(self) -> tuple[float, float, float]:
+        """Part of the units that does better, and the limits of its interval."""
+        return self.better / self.units, *self.interval
+
 
 def verdict(ratios: FloatArray) -> Verdict:
     """Count the units for which the averaged axes did better, from ratios (units,)."""

@@ -4,7 +4,7 @@
 """
 
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -19,18 +19,13 @@ BOTTOMS = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5)
 """Where the axis of the sizes may begin."""
 
 
-class Pause(NamedTuple):
-    """A pause of the table, and the rotation after it."""
-
-    begin: float  # minutes
-    end: float  # minutes
-    up: str  # body axis that points up, with its sign
-    rotation: str  # word of the scheme; empty after the last pause
-
-
 @cache
-def pauses() -> tuple[Pause, ...]:
-    """Return what the table does in the calibrations of the chapter."""
+def pauses() -> list[tuple[float, float, str, str]]:
+    """Return what the table does in the calibrations of the chapter.
+
+    Of each pause its begin and end in minutes, the body axis that points up, with its sign, and the
+    scheme's word for the rotation after it, empty after the last.
+    """
     scheme = TableTrial().scheme
     row = segments(scheme, 1e-3)  # pauses and turns by turns
     ends = np.cumsum([segment.duration for segment in row]) / 60
@@ -39,14 +34,15 @@ def pauses() -> tuple[Pause, ...]:
         up = rotate(conjugate(row[2 * k].attitude), [0.0, 0.0, 1.0])
         axis = int(np.abs(up).argmax())
         name = ("+" if up[axis] > 0 else "−") + "xyz"[axis]
-        found.append(Pause(ends[2 * k] - scheme.dwell / 60, ends[2 * k], name, word))
-    return tuple(found)
+        found.append((ends[2 * k] - scheme.dwell / 60, ends[2 * k], name, word))
+    return found
 
 
 def table_says(minute: float) -> str:
     """Return in words what the table does at a minute."""
-    last = next((pause for pause in reversed(pauses()) if pause.begin <= minute), pauses()[0])
-    return f"rests, {last.up} up" if minute <= last.end else f"turns {last.rotation}"
+    begun = [pause for pause in pauses() if pause[0] <= minute]
+    _, end, up, rotation = begun[-1] if begun else pauses()[0]
+    return f"rests, {up} up" if minute <= end else f"turns {rotation}"
 
 
 class CalibrationRunPicture(Picture[DataTable]):

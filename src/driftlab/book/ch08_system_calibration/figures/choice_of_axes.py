@@ -1,7 +1,5 @@
 """Which choice of body axes leaves out least: means over many units, and unit by unit."""
 
-from typing import Any
-
 import numpy as np
 from matplotlib.axes import Axes
 
@@ -50,7 +48,6 @@ def draw(drawing: Drawing) -> None:
     )  # fmt: skip
     schemes, units = (panels["a"], panels["b"]), panels["c"]
     sizes = table.sizes
-    small = "small" if sheet.on_paper else 8
     dot = 0.6 if sheet.on_paper else 1.0
     highest, lowest = table.mean_high.max(), table.mean.min()
     for panel, scheme in zip(schemes, SCHEMES, strict=True):
@@ -79,20 +76,15 @@ def draw(drawing: Drawing) -> None:
     if sheet.narrow:
         schemes[1].set_ylabel("mean over what it should be")
     _draw_units(drawing, units)
+    handles, labels = schemes[0].get_legend_handles_labels()
     if sheet.on_paper:
-        handles, labels = _both(schemes[0], units)
-        legend_below_all(drawing.figure, sheet, handles, labels=labels, fontsize="small")
+        more, others = units.get_legend_handles_labels()
+        legend_below_all(drawing.figure, sheet, [*handles, *more], labels=[*labels, *others],
+                         fontsize="small")  # fmt: skip
     else:
-        handles, labels = schemes[0].get_legend_handles_labels()
         drawing.figure.legend(
-            handles, labels, loc="lower left", ncols=3, fontsize=small, bbox_to_anchor=(0.09, 0.02)
+            handles, labels, loc="lower left", ncols=3, fontsize=8, bbox_to_anchor=(0.09, 0.02)
         )
-
-
-def _both(*panels: Axes) -> tuple[list[Any], list[Any]]:
-    """Handles and labels of several panels."""
-    found = [panel.get_legend_handles_labels() for panel in panels]
-    return [h for handles, _ in found for h in handles], [x for _, labels in found for x in labels]
 
 
 def _draw_units(drawing: Drawing, panel: Axes) -> None:

@@ -52,9 +52,8 @@ def draw(drawing: Drawing) -> None:
     dot = 0.6 if sheet.on_paper else 1.0
     errors.set(title="deviation, over that after the nineteen positions", yscale="log")
     top = max(60.0, 2 * table.random_95_percent.max())
-    errors.set(
-        xlim=(-0.7, len(names) - 0.3), ylim=(min(0.4, 0.8 * table.random_5_percent.min()), top)
-    )
+    bottom = min(0.4, 0.8 * table.random_5_percent.min())
+    errors.set(xlim=(-0.7, len(names) - 0.3), ylim=(bottom, top))
     errors.axhline(1.0, color=BLACK, linewidth=0.8, label=GUIDE)
     drawing.bar_chart(
         errors, places, "random_95_percent", begin="random_5_percent", width=0.8, color="#dcdcdc",
@@ -84,13 +83,8 @@ def draw(drawing: Drawing) -> None:
         size = 6 if sheet.on_paper else 7
         errors.set_xticks(places, names, rotation=55, ha="right", fontsize=size)
     handles, _ = errors.get_legend_handles_labels()  # lines first, then bars
-    errors.legend(
-        handles=[handles[4], *handles[:4], *handles[5:]],
-        loc="upper left",
-        ncols=2 if sheet.narrow else 3,
-        fontsize=small,
-        framealpha=1.0,
-    )
+    errors.legend(handles=[handles[4], *handles[:4], *handles[5:]], loc="upper left",
+                  ncols=2 if sheet.narrow else 3, fontsize=small, framealpha=1.0)  # fmt: skip
     _draw_worst(drawing, worst)
 
 

@@ -12,7 +12,7 @@ from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, legend_b
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.motion.scheme import SCHEMES
 
-from ..experiments import ALL_STARTS, QUANTITIES, TRIANGLES, Comparison, counted
+from ..experiments import ALL_STARTS, QUANTITIES, TRIANGLES, Comparison, comparisons
 
 WIDE = (0.3, [0.3, 0.5, 1, 2, 3], 3.3)
 NARROW = (0.95, [0.96, 0.98, 1.0, 1.02, 1.04], 1.05)
@@ -21,7 +21,7 @@ NARROW = (0.95, [0.96, 0.98, 1.0, 1.02, 1.04], 1.05)
 
 def caption(table: DataTable) -> str:
     """Say how many comparisons are certain, and for whom."""
-    verdicts = counted(table)
+    verdicts = comparisons(table)
     units = next(iter(verdicts.values())).units
     said = []
     for start in ALL_STARTS:
@@ -32,9 +32,9 @@ def caption(table: DataTable) -> str:
     sizes = " or ".join(f"{size:g}″" for size in table.sizes)
     return (
         f"Random units, {units} bent by {sizes} each, calibrated in averaged axes and in two "
-        "triangles "
-        "on the same data, on the nineteen positions and on eighteen rotations, then at rest for "
-        f"{table.shown('at_rest_for')[0]:g} hours; the two computers begin from four starts. "
+        "triangles on the same data, on the nineteen positions and on eighteen rotations, then at "
+        f"rest for {table.shown('at_rest_for')[0]:g} hours; the two computers begin from four "
+        "starts. "
         "Above: root mean square error with averaged axes over that with the upper triangle, on "
         "the nineteen positions; the scales differ. Below: part of the units in which averaged "
         f"axes err less, with 95 % intervals, in all {len(verdicts)} comparisons. Certain "

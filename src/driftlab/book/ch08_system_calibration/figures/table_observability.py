@@ -34,22 +34,13 @@ class TableObservabilityPicture(Picture[DataTable]):
             width_ratios=(0.62, 1.0), page_height=3.3, column_height=5.0,
         )  # fmt: skip
         values, ratios = panels["a"], panels["b"]
-        values.set(
-            title="how strongly each direction shows",
-            xlabel="eigenvalue of the Gramian, by size",
-            yscale="log",
-        )
+        values.set(title="how strongly each direction shows", yscale="log")
+        values.set(xlabel="eigenvalue of the Gramian, by size")
         values.set(xlim=(0, 31), ylim=(DRAWN_ZERO / 10, 10), ylabel="relative to the largest")
         values.set_yticks([1e-12, 1e-9, 1e-6, 1e-3, 1])
         values.axhline(DRAWN_ZERO, color=GREY, linewidth=0.8, label=GUIDE)
-        values.text(
-            30.5,
-            1.7 * DRAWN_ZERO,
-            "zero: not observable",
-            color=DARK_GREY,
-            ha="right",
-            fontsize="medium" if self.sheet.on_paper else 8.5,
-        )
+        values.text(30.5, 1.7 * DRAWN_ZERO, "zero: not observable", color=DARK_GREY, ha="right",
+                    fontsize="medium" if self.sheet.on_paper else 8.5)  # fmt: skip
         small, large = (2.5, 4) if self.sheet.on_paper else (4, 7)
         self.bright, self.unobservable = (
             self.curve(
@@ -81,3 +72,6 @@ class TableObservabilityPicture(Picture[DataTable]):
         self.show(table)
         low = 5e-4 if table.deviation_after_over_before.min() >= 5e-4 else 1e-5
         self.set_limits(self.ratio_axes, "y", low, 2.0)
+
+
+draw = TableObservabilityPicture.draw

@@ -17,12 +17,7 @@ from driftlab.calibration import ERROR_MODELS, FULL
 from driftlab.imu import ImuNoise
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
 
-from ..experiments import (
-    PARAMETERS,
-    calibration_history,
-    state_unit,
-    table_observability,
-)
+from ..experiments import PARAMETERS, calibration_history, state_unit, table_observability
 from ..figures.calibration_run import CalibrationRunPicture, table_says
 from ..figures.table_observability import TableObservabilityPicture
 
