@@ -92,6 +92,8 @@ class DataTable:
             raise ValueError(f"columns: expected other names than the facts', got {min(both)!r}.")
         self._entries = {name: Entry(*each) for name, each in {**columns, **facts}.items()}
         for name, entry in self._entries.items():
+            if hasattr(type(self), name):
+                raise ValueError(f"{name}: expected a name that is no method of a table's.")
             if entry.unit not in UNITS:
                 raise ValueError(f"{name}: expected a unit of {[*UNITS]}, got {entry.unit!r}.")
         self._facts = tuple(facts)

@@ -2,10 +2,10 @@
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from scipy.spatial.transform import Rotation
 
-from driftlab.book.machinery.picture import BLACK, BLUE, VERMILION, in_style, plain_axes, project
+from driftlab.book.machinery.drawing import Drawing, from_table
+from driftlab.book.machinery.picture import BLACK, BLUE, VERMILION, plain_axes, project
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -14,10 +14,11 @@ APPARENT_ANGLE = 0.35
 """Angle from R to B as shown, rad; far larger than a real one."""
 
 
-@in_style
-def draw(_: object, sheet: Sheet) -> Figure:
+@from_table
+def draw(drawing: Drawing) -> None:
     """One panel a frame: its axes, the apparent ones dashed, and arcs of positive angles."""
-    figure, panels = sheet.mosaic(
+    sheet = drawing.sheet
+    panels = drawing.mosaic(
         "abc", (10.0, 2.7), (0.01, 0.01, 0.99, 0.88), spaces=(0.05, 0.2), column_height=5.4
     )
     titles = (
@@ -54,7 +55,6 @@ def draw(_: object, sheet: Sheet) -> Figure:
             x, y = 1.15 * flat[len(flat) // 2] + [0, 0.13 if sheet.on_paper else 0.05]
             side = "left" if x > 0 else "right"
             panel.text(x, y, label, ha=side, va="center", fontsize=_letters(sheet))
-    return figure
 
 
 def _rotation(axis: FloatArray, angle: float | FloatArray) -> Rotation:

@@ -7,7 +7,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch
 
-from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, ORANGE, VERMILION, in_style
+from driftlab.book.machinery.drawing import Drawing, from_table
+from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, ORANGE, VERMILION
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -53,12 +54,13 @@ LETTERS = 16
 """In a line of a box there."""
 
 
-@in_style
-def draw(_: object, sheet: Sheet) -> Figure:
+@from_table
+def draw(drawing: Drawing) -> None:
     """Boxes and arrows: what helps on one side of the way, what comes on top of it on the other."""
+    sheet = drawing.sheet
     width = sheet.width or 9.6
-    figure = Figure(figsize=(width, 4.6 if sheet.narrow else 4.9 / 9.6 * width))
-    axes = figure.add_axes((0, 0, 1, 1))
+    drawing.figure = Figure(figsize=(width, 4.6 if sheet.narrow else 4.9 / 9.6 * width))
+    axes = drawing.figure.add_axes((0, 0, 1, 1))
     if sheet.narrow:
         axes.set(xlim=(-0.5, 3.5), ylim=(-9.65, -0.15))
     else:
@@ -93,7 +95,6 @@ def draw(_: object, sheet: Sheet) -> Figure:
                 shrinkA=1 if sheet.on_paper else 3, shrinkB=2 if sheet.on_paper else 4,
             )
         )  # fmt: skip
-    return figure
 
 
 def _middle(idea: Idea, sheet: Sheet) -> FloatArray:

@@ -6,8 +6,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, FancyBboxPatch, Polygon
 
-from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, VERMILION, in_style
-from driftlab.book.machinery.sheet import Sheet
+from driftlab.book.machinery.drawing import Drawing, from_table
+from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, VERMILION
 
 SIZE = (10.5, 5.0)
 BOXES: dict[str, tuple[float, float, float, str]] = {
@@ -63,12 +63,13 @@ class _Board(NamedTuple):
         self.say(x, y, sign, ha="center", va="center")
 
 
-@in_style
-def draw(_: object, sheet: Sheet) -> Figure:
+@from_table
+def draw(drawing: Drawing) -> None:
     """Black is the loop, red what disturbs it, green the log, blue what is read."""
+    sheet = drawing.sheet
     scale = 1.0 if sheet.width is None else sheet.width / SIZE[0]
-    figure = Figure(figsize=(scale * SIZE[0], scale * SIZE[1]))
-    axes = figure.add_axes((0, 0, 1, 1))
+    drawing.figure = Figure(figsize=(scale * SIZE[0], scale * SIZE[1]))
+    axes = drawing.figure.add_axes((0, 0, 1, 1))
     axes.set(xlim=(0.0, 10.5), ylim=(-0.2, 4.8))
     axes.axis("off")
     board = _Board(axes, scale, sheet.narrow)
@@ -88,7 +89,6 @@ def draw(_: object, sheet: Sheet) -> Figure:
         circle = Circle(place, _RADIUS, facecolor="white", edgecolor=BLACK, lw=line, zorder=3)
         axes.add_patch(circle)
         board.say(*place, "+", 10, ha="center", va="center", zorder=4)
-    return figure
 
 
 def _draw_loop(board: _Board) -> None:
