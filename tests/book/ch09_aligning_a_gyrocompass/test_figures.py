@@ -23,8 +23,8 @@ def test_the_budget_is_the_sum_of_its_terms_and_off_in_second_order(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    assert data.bars[:4].sum() == pytest.approx(data.bars[4], rel=1e-12)
-    assert (data.bars[:4] != 0).all()
+    assert data.error[:4].sum() == pytest.approx(data.error[4], rel=1e-12)
+    assert (data.error[:4] != 0).all()
 
     def gap(size: float) -> float:
         gyro_bias, accelerometer_bias = (
@@ -34,7 +34,7 @@ def test_the_budget_is_the_sum_of_its_terms_and_off_in_second_order(
         part = alignments.alignment_budget(
             gyro_bias=gyro_bias, accelerometer_bias=accelerometer_bias
         )
-        pairs = (part.pitch, part.roll, part.latitude, part.attitude, part.bars[4:])
+        pairs = (part.pitch, part.roll, part.latitude, part.attitude, part.error[4:])
         return largest([first - exact for first, exact in pairs])
 
     # A hundred times the default errors, which are some 1e-3 in angles.
@@ -44,11 +44,11 @@ def test_the_budget_is_the_sum_of_its_terms_and_off_in_second_order(
 @published("09-alignment-budget")
 def test_the_budget_of_one_heading_is_on_the_curve_of_all(figure: PublishedFigure) -> None:
     data = figure.data
-    for heading in data.headings[::9]:
+    for heading in data.at_heading[::9]:
         here = alignments.alignment_budget(heading=heading)
-        place = np.flatnonzero(data.headings == heading)
-        np.testing.assert_allclose(here.bars[-2], data.first_order[place], rtol=0, atol=ROUNDED)
-        np.testing.assert_allclose(here.bars[-1], data.exact[place], rtol=0, atol=ROUNDED)
+        place = np.flatnonzero(data.at_heading == heading)
+        np.testing.assert_allclose(here.error[-2], data.first_order[place], rtol=0, atol=ROUNDED)
+        np.testing.assert_allclose(here.error[-1], data.exact[place], rtol=0, atol=ROUNDED)
         # Sensors that turn with the body have the same errors of pitch and roll everywhere.
         assert here.pitch == pytest.approx(data.pitch, abs=ROUNDED)
         assert here.roll == pytest.approx(data.roll, abs=ROUNDED)
@@ -58,7 +58,7 @@ def test_the_budget_of_one_heading_is_on_the_curve_of_all(figure: PublishedFigur
 def test_the_budget_over_all_headings_is_a_mean_and_one_wave(figure: PublishedFigure) -> None:
     """Body-fixed errors stand still in the tangent of the pitch, and go round in the rest."""
     data = figure.data
-    waves = np.stack([np.ones(73), np.cos(data.headings), np.sin(data.headings)], axis=-1)
+    waves = np.stack([np.ones(73), np.cos(data.at_heading), np.sin(data.at_heading)], axis=-1)
     fitted, *_ = np.linalg.lstsq(waves, data.first_order)
     np.testing.assert_allclose(waves @ fitted, data.first_order, rtol=0, atol=1e-16)
     assert (np.abs(fitted) > 1e-4).all()
@@ -89,20 +89,22 @@ def test_parameters_are_checked(name: str, parameters: dict, sentence: str) -> N
 @published("09-alignment-terms")
 def test_each_term_goes_with_its_angle(figure: PublishedFigure) -> None:
     data = figure.data
-    east, by_cosine, by_sine, by_latitude = np.moveaxis(data.terms["heading"], -1, 0)
+    over_heading, over_pitch, over_latitude = (
+        np.array([getattr(data, f"error_over_{name}")[of] for of in alignments.LABELS])
+        for name in alignments.GRIDS
+    )
+    east, by_cosine, by_sine, by_latitude = over_heading
     grid = alignments.GRIDS["heading"]
     assert np.ptp(east) == np.ptp(by_latitude) == 0
     for term, wave in ((by_cosine, np.cos(grid)), (by_sine, np.sin(grid))):
         np.testing.assert_allclose(term, largest(term) * np.sign(term @ wave) * wave, atol=ROUNDED)
     tangent = np.tan(alignments.GRIDS["pitch"])
-    for k in (1, 2):
-        term = data.terms["pitch"][:, k]
+    for term in over_pitch[1:3]:
         np.testing.assert_allclose(term, term[-1] / tangent[-1] * tangent, rtol=1e-12)
     place = alignments.GRIDS["latitude"]
     pull = gravity(place)
     laws = (1 / np.cos(place), 1 / pull, 1 / pull, np.tan(place) / pull)
-    for k, law in enumerate(laws):
-        term = data.terms["latitude"][:, k]
+    for term, law in zip(over_latitude, laws, strict=True):
         np.testing.assert_allclose(term, term[-1] / law[-1] * law, rtol=1e-12)
 
 
@@ -111,20 +113,23 @@ def test_the_stray_factor_is_what_separates_the_formula_of_the_copy_from_the_exa
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    for panel in ("heading", "pitch"):
-        corrected = largest(data.terms[panel].sum(axis=-1) - data.exact[panel])
-        assert corrected < 0.01
-        assert largest(data.in_copy[panel] - data.exact[panel]) > 20 * corrected
+    for errors in (data.error_over_heading, data.error_over_pitch):
+        corrected = largest(errors["corrected"] - errors["exact"])
+        assert corrected < np.radians(0.01)
+        assert largest(errors["as in the copy"] - errors["exact"]) > 20 * corrected
     for panel, grid in alignments.GRIDS.items():
         place = grid if panel == "latitude" else LATITUDE
-        third = data.terms[panel][:, 2]
-        expected = data.terms[panel].sum(axis=-1) - third + third * np.tan(place)
-        np.testing.assert_allclose(data.in_copy[panel], expected, rtol=0, atol=1e-13)
+        errors = getattr(data, f"error_over_{panel}")
+        third = errors[alignments.LABELS[2]]
+        right = sum(errors[term] for term in alignments.LABELS)
+        np.testing.assert_allclose(errors["corrected"], right, rtol=0, atol=1e-15)
+        expected = right - third + third * np.tan(place)
+        np.testing.assert_allclose(errors["as in the copy"], expected, rtol=0, atol=2e-15)
     # Where the tangent is one the factor does not show.
     at_45 = np.isclose(alignments.GRIDS["latitude"], np.pi / 4)
     assert at_45.sum() == 1
-    right, wrong = data.terms["latitude"].sum(axis=-1), data.in_copy["latitude"]
-    np.testing.assert_allclose(right[at_45], wrong[at_45], rtol=1e-12)
+    right, wrong = (data.error_over_latitude[of][at_45] for of in ("corrected", "as in the copy"))
+    np.testing.assert_allclose(right, wrong, rtol=1e-12)
 
 
 @published("09-over-the-vertical")
@@ -132,14 +137,14 @@ def test_over_the_vertical_the_attitude_keeps_what_heading_and_roll_lose(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    up = data.angles < np.pi / 2
-    np.testing.assert_allclose(data.heading[up], alignments.HEADING, atol=1e-12)
-    np.testing.assert_allclose(data.heading[~up], alignments.HEADING - np.pi, atol=1e-12)
-    np.testing.assert_allclose(data.roll[up], 0, atol=1e-12)
-    np.testing.assert_allclose(np.abs(data.roll[~up]), np.pi, atol=1e-12)
+    up = data.angle < np.pi / 2
+    np.testing.assert_allclose(data.true_heading[up], alignments.HEADING, atol=1e-12)
+    np.testing.assert_allclose(data.true_heading[~up], alignments.HEADING - np.pi, atol=1e-12)
+    np.testing.assert_allclose(data.true_roll[up], 0, atol=1e-12)
+    np.testing.assert_allclose(np.abs(data.true_roll[~up]), np.pi, atol=1e-12)
     assert largest(data.heading_error) > 30 * largest(data.attitude_error)
     assert largest(data.roll_error) > 30 * largest(data.attitude_error)
-    assert (data.together_error[up] < 1.1 * data.attitude_error[up]).all()
+    assert (data.heading_and_roll_error[up] < 1.1 * data.attitude_error[up]).all()
     # The error of the attitude does not know where the vertical is.
     assert np.ptp(data.attitude_error) < 0.1 * data.attitude_error.min()
 
@@ -156,8 +161,8 @@ def test_over_the_vertical_errors_are_as_large_as_the_first_order_says(
     data = figure.data
     gyro_bias = largest(alignments.GYRO_BIAS) / LEVEL_RATE
     accelerometer_bias = largest(alignments.ACCELEROMETER_BIAS) / GRAVITY
-    pitch = np.minimum(data.angles, np.pi - data.angles)
-    cosine, sine = np.cos(data.heading), np.sin(data.heading)
+    pitch = np.minimum(data.angle, np.pi - data.angle)
+    cosine, sine = np.cos(data.true_heading), np.sin(data.true_heading)
 
     def size(by_pitch: np.ndarray) -> np.ndarray:
         east, north = cosine * by_pitch - np.tan(LATITUDE), sine * by_pitch
@@ -167,13 +172,13 @@ def test_over_the_vertical_errors_are_as_large_as_the_first_order_says(
     expected = {
         "heading_error": size(np.tan(pitch)),
         "roll_error": accelerometer_bias / np.cos(pitch),
-        "together_error": size(np.tan(pitch) - 1 / np.cos(pitch)),
+        "heading_and_roll_error": size(np.tan(pitch) - 1 / np.cos(pitch)),
         "attitude_error": np.sqrt(
             gyro_bias**2 + accelerometer_bias**2 * (2 + np.tan(LATITUDE) ** 2)
         ),
     }
     # Half a degree from the vertical tilts of a tenth of a degree are not small.
-    small = np.abs(data.angles - np.pi / 2) > np.radians(2)
+    small = np.abs(data.angle - np.pi / 2) > np.radians(2)
     for name, law in expected.items():
         ratio = (getattr(data, name) / law)[small]
         assert (low < ratio).all()
@@ -187,15 +192,16 @@ def test_averaging_falls_with_the_square_root_down_to_the_slow_part(
     data = figure.data
     low, high = np.sqrt(chi_bounds(data.runs - 1))
     # Of the heading, to first order: white noise of a sample, 0.5 deg/h, is 3 degrees of it.
-    ratio = data.simulated / data.formula
+    simulated, formula, white_alone = np.moveaxis(data.spread, 1, 0)
+    ratio = simulated / formula
     assert (low < ratio).all()
     assert (ratio < high).all()
-    for white, alone in zip(alignments.WHITE, data.white_alone, strict=True):
-        expected = white * HOURLY / np.sqrt(data.windows) / LEVEL_RATE
+    for white, alone in zip(alignments.WHITE, white_alone, strict=True):
+        expected = white * HOURLY / np.sqrt(data.samples) / LEVEL_RATE
         np.testing.assert_allclose(alone, expected, rtol=1e-12)
-    slow = np.sqrt(data.formula**2 - data.white_alone**2)
+    slow = np.sqrt(formula**2 - white_alone**2)
     floor = alignments.SLOW * HOURLY / LEVEL_RATE
-    x = data.windows * 0.1 / 3600
+    x = data.samples * 0.1 / 3600
     # The variance of a mean over x correlation times; a sum for an integral.
     expected = floor * np.sqrt(2 * (x + np.expm1(-x))) / x
     np.testing.assert_allclose(slow[:, 2:], np.tile(expected[2:], (2, 1)), rtol=1e-3)
@@ -207,7 +213,8 @@ def test_a_rounded_angle_meets_the_paper_s_numbers_as_well(figure: PublishedFigu
     """And predicts another fall of the heading's spread: with the window, and without a floor."""
     data = figure.data
     low, high = np.sqrt(chi_bounds(data.runs - 1))
-    ratio = data.rival_simulated / data.rival_formula
+    (_, formula, _), (_, rival_formula) = data.spread[1], data.rival_spread[1]
+    ratio = data.rival_spread[:, 0] / data.rival_spread[:, 1]
     assert (low < ratio).all()
     assert (ratio < high).all()
     in_range = []
@@ -221,10 +228,10 @@ def test_a_rounded_angle_meets_the_paper_s_numbers_as_well(figure: PublishedFigu
     before, after = np.array(alignments.WHITE), np.array([0.01, 0.02])
     assert (before / after).round().tolist() == [6, 25]
     assert ((before / after) ** 2).round().tolist() == [36, 625]
-    slopes = np.diff(np.log(data.rival_formula[1])) / np.diff(np.log(data.windows))
+    slopes = np.diff(np.log(rival_formula)) / np.diff(np.log(data.samples))
     assert slopes[0] < -0.95
     assert slopes[-1] == pytest.approx(-0.5, abs=0.005)
-    slopes = np.diff(np.log(data.formula[1])) / np.diff(np.log(data.windows))
+    slopes = np.diff(np.log(formula)) / np.diff(np.log(data.samples))
     assert slopes[0] == pytest.approx(-0.5, abs=0.001)
     assert slopes[-1] > -0.25
 
@@ -234,20 +241,18 @@ def test_units_in_two_positions_spread_as_the_closed_forms_say(figure: Published
     data = figure.data
     # A deviation of n units is known to 1 in sqrt(2 n); of so many ratios none beyond four.
     bound = 4 / np.sqrt(2 * alignments.UNITS)
-    for simulated, formula in (
-        (data.by_turn, data.by_turn_formula),
-        (data.by_time, data.by_time_formula),
-    ):
+    for spread in (data.by_turn, data.by_time):
+        simulated, formula = np.moveaxis(spread, 1, 0)
         assert np.abs(simulated / formula - 1).max() < bound
 
 
 @published("09-two-positions")
 def test_two_positions_have_a_best_time_and_one_has_a_floor(figure: PublishedFigure) -> None:
-    one, two, carried = figure.data.by_time_formula
+    one, two, carried = figure.data.by_time[:, 1]
     best = int(np.argmin(two))
     assert 0 < best < len(two) - 1
     assert (two < one).all()
     assert (one < carried).all()
     floor = alignments.SLOW * HOURLY / LEVEL_RATE
     assert one[-1] > 0.9 * floor > 5 * two[best]
-    assert two[0] == pytest.approx(figure.data.bound[0], rel=0.01)
+    assert two[0] == pytest.approx(figure.data.white_noise_alone[0], rel=0.01)

@@ -63,34 +63,34 @@ def test_the_bow_is_dragged_to_where_the_hand_is() -> None:
 
 def test_over_the_top_the_angles_jump_and_the_attitude_does_not() -> None:
     run = over_the_top()
-    up = run.true.angles < np.pi / 2
-    for angle, before in ((run.true.heading, HEADING), (run.true.roll, 0.0)):
+    up = run.angle < np.pi / 2
+    for angle, before in ((run.true_heading, HEADING), (run.true_roll, 0.0)):
         after = wrap_angle(before + np.pi)
         np.testing.assert_allclose(wrap_angle(angle[up] - before), 0.0, atol=1e-9)
         np.testing.assert_allclose(wrap_angle(angle[~up] - after), 0.0, atol=1e-9)
     # The steps of a turn of half a degree each, nothing else.
-    steps = rotation_angle(multiply(conjugate(run.true.attitude[:-1]), run.true.attitude[1:]))
+    steps = rotation_angle(multiply(conjugate(run.attitude[:-1]), run.attitude[1:]))
     np.testing.assert_allclose(steps, np.radians(0.5), atol=1e-9)
-    assert run.true.heading_error.max() > 50 * run.true.heading_error[0]
-    assert run.true.attitude_error.max() < 1.5 * run.true.attitude_error.min()
+    assert run.heading_error.max() > 50 * run.heading_error[0]
+    assert run.attitude_error.max() < 1.5 * run.attitude_error.min()
 
 
 @pytest.mark.parametrize("aside", [2.0, 30.0])
 def test_past_the_zenith_the_heading_turns_smoothly(aside) -> None:
     """By the closed form of a bow on a leaning great circle."""
-    run = over_the_top(0.0, np.radians(aside)).true
-    forward = np.cos(run.angles)
-    right = -np.sin(run.angles) * np.sin(np.radians(aside))
+    run = over_the_top(0.0, np.radians(aside))
+    forward = np.cos(run.angle)
+    right = -np.sin(run.angle) * np.sin(np.radians(aside))
     np.testing.assert_allclose(
-        np.abs(wrap_angle(run.heading)), np.arctan2(np.abs(right), forward), atol=1e-9
+        np.abs(wrap_angle(run.true_heading)), np.arctan2(np.abs(right), forward), atol=1e-9
     )
     np.testing.assert_allclose(
-        np.sin(run.pitch), np.sin(run.angles) * np.cos(np.radians(aside)), atol=1e-12
+        np.sin(run.true_pitch), np.sin(run.angle) * np.cos(np.radians(aside)), atol=1e-12
     )
 
 
 def test_the_found_attitude_stays_as_near_as_the_large_errors_let_it() -> None:
     run = over_the_top()
-    away = rotation_angle(multiply(run.found, conjugate(run.true.attitude)))
+    away = rotation_angle(multiply(run.found, conjugate(run.attitude)))
     assert np.degrees(away.max()) < 15
     assert np.ptp(away) < 0.5 * away.max()

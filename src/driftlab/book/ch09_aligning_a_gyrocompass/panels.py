@@ -8,6 +8,7 @@ import numpy as np
 from scipy.constants import degree
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import ABSENT, Results
 from driftlab.book.machinery.sensor_controls import (
@@ -30,7 +31,6 @@ from .experiments import (
     PITCH,
     ROLL,
     TERMS,
-    AlignmentBudget,
     alignment_budget,
 )
 from .figures.alignment_budget import AlignmentBudgetPicture
@@ -74,7 +74,7 @@ class AlignmentBudgetExplorer(Explorer):
         "Upside down": "Belly up. Which of the six errors have changed sides?",
     }
 
-    def compute(self, values: Values) -> AlignmentBudget:
+    def compute(self, values: Values) -> DataTable:
         latitude, heading, pitch, roll = (
             float(np.radians(values[name])) for name in ("latitude", "heading", "pitch", "roll")
         )
@@ -82,8 +82,8 @@ class AlignmentBudgetExplorer(Explorer):
             latitude, heading, pitch, roll, gyro_biases(values), accelerometer_biases(values)
         )
 
-    def numbers(self, data: AlignmentBudget) -> Results:
-        *terms, total, exact = data.bars
+    def numbers(self, table: DataTable) -> Results:
+        *terms, total, exact = table.error
         rows = [
             ("heading", degrees_text(exact), degrees_text(total)),
             *(
@@ -92,7 +92,7 @@ class AlignmentBudgetExplorer(Explorer):
             ),
         ]
         for name in ("pitch", "roll", "latitude", "attitude"):
-            first_order, error = getattr(data, name)
+            first_order, error = getattr(table, name)
             rows.append((name, degrees_text(error), degrees_text(first_order)))
         no_heading = np.isnan(exact)
         return Results(

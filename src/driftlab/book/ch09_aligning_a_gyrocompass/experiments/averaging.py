@@ -5,12 +5,12 @@ Beside white noise there is a slow part, or, as the rival has it, the rounding o
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.constants import degree, hour
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import (
     FloatArray,
@@ -27,6 +27,7 @@ from driftlab.motion.vehicle import static_imu
 DEGREE_PER_HOUR = degree / hour
 WHITE = (0.06, 0.5)
 """White noise of a sample, deg/h: the ends of the paper's range."""
+GYROS = ("quiet", "noisy")
 SLOW = 0.01
 """Deviation of the slow part of the noise, deg/h."""
 MOVING_AVERAGE = 625
@@ -42,24 +43,6 @@ RIVAL_WINDOW = 36
 Rounding of the angle falls with the window itself. White noise of 0.06 deg/h in all gyros then
 becomes 0.01, and with a rounding that makes 0.5 of it, 0.02. From 23 to 42 samples do it.
 """
-
-
-class AveragingWindow(NamedTuple):
-    """Standard deviation of the heading over many alignments, by window and white noise."""
-
-    white: FloatArray  # (2,), white noise of a sample, rad/s
-    slow: float  # deviation of the slow part, rad/s
-    windows: FloatArray  # (n,), lengths of the mean, samples
-    simulated: FloatArray  # (2, n), rad; a row for each white noise
-    formula: FloatArray  # (2, n), likewise
-    white_alone: FloatArray  # (2, n), the formula without a slow part, rad
-    rival_simulated: FloatArray  # (2, n), with the noise of `rival_noise`, rad
-    rival_formula: FloatArray  # (2, n), likewise
-    moving_average: int  # window that is marked, samples
-    rival_window: int  # likewise
-    averaged: FloatArray  # (2,), what `moving_average` leaves of the noise, rad/s
-    rival_averaged: FloatArray  # (2,), what `rival_window` leaves of it, rad/s
-    runs: int  # number of simulated alignments
 
 
 def gyro_noise(white: float, slow: float = SLOW) -> GyroNoise:
@@ -82,7 +65,7 @@ def heading_spread_by_window(
     latitude: float = SARATOV_LATITUDE,
     runs: int = 200,
     seed: int = 12,
-) -> AveragingWindow:
+) -> DataTable:
     """Align many times with means of the gyros over windows of several lengths.
 
     With the rival the white noise is that of the quiet gyro, and the rest is rounding.
@@ -105,20 +88,35 @@ def heading_spread_by_window(
     kinds = [gyro_noise(value, part) for value in (quiet, noisy)]
     rival = [rival_noise(value, quiet) for value in (quiet, noisy)]
     alone = [gyro_noise(value, 0.0) for value in (quiet, noisy)]
-    return AveragingWindow(
-        np.array([quiet, noisy]) * DEGREE_PER_HOUR,
-        part * DEGREE_PER_HOUR,
-        windows.astype(float),
-        _simulated(kinds, windows, count, place, np.random.default_rng(seed)),
-        means(kinds, windows) / level,
-        means(alone, windows) / level,
-        _simulated(rival, windows, count, place, np.random.default_rng(seed + 1)),
-        means(rival, windows) / level,
-        *marked,
-        means(kinds, marked[:1])[:, 0],
-        means(rival, marked[1:])[:, 0],
-        count,
-    )
+    found = [
+        _simulated(noises, windows, count, place, np.random.default_rng(seed + k))
+        for k, noises in enumerate((kinds, rival))
+    ]
+    formula, white_alone, by_rival = (means(n, windows) / level for n in (kinds, alone, rival))
+    spread = np.stack([found[0], formula, white_alone], axis=1)
+    left, by_rival_left = (means(n, [w])[:, 0] for n, w in zip((kinds, rival), marked, strict=True))
+    return DataTable(
+        {
+            "samples": (windows.astype(float), "", "in a mean, ten a second"),
+            "moving_average": ([marked[0]], "", "samples in the mean that is marked"),
+            "rival_window": ([marked[1]], "", "samples in the mean that is marked for the rival"),
+            "spread": (
+                spread, "deg", "deviation of the heading, with white noise and a slow part",
+                [GYROS, ("simulated", "formula", "white_alone")],
+            ),
+            "rival_spread": (
+                np.stack([found[1], by_rival], axis=1), "deg", "with a rounded angle instead",
+                [GYROS, ("simulated", "formula")],
+            ),
+        },
+        {
+            "white": (np.array([quiet, noisy]) * DEGREE_PER_HOUR, "deg_per_h", "of a sample"),
+            "slow": (part * DEGREE_PER_HOUR, "deg_per_h", "deviation of the slow part"),
+            "averaged": (left, "deg_per_h", "what the marked mean leaves"),
+            "rival_averaged": (by_rival_left, "deg_per_h", "the same for the rival"),
+            "runs": (count, "", "simulated alignments"),
+        },
+    )  # fmt: skip
 
 
 def _simulated(

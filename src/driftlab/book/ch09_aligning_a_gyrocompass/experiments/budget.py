@@ -1,11 +1,10 @@
 """Heading error of an aligned compass by sensor error: to first order term by term, and exactly."""
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import degree, g, hour, milli
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, finite_array, finite_number
 from driftlab.frames import from_euler_angles
@@ -28,23 +27,7 @@ TERMS = (
     "sum, first order",
     "exact",
 )
-"""What the entries of `AlignmentBudget.bars` are."""
-
-
-class AlignmentBudget(NamedTuple):
-    """Errors of one aligned compass, and its heading error when it is turned to other headings."""
-
-    # (6,), heading error, rad: the four terms of first order, their sum, and the exact error
-    bars: FloatArray
-    pitch: tuple[float, float]  # its error to first order, and exact, rad
-    roll: tuple[float, float]  # likewise
-    latitude: tuple[float, float]  # likewise
-    # angle of the rotation from true to computed attitude, rad: to first order, and exact
-    attitude: tuple[float, float]
-    heading: float  # rad
-    headings: FloatArray  # (n,), rad
-    exact: FloatArray  # (n,), heading errors at these headings, rad
-    first_order: FloatArray  # (n,), likewise
+"""Parts of the heading error, their sum and the exact error."""
 
 
 def alignment_budget(
@@ -54,7 +37,7 @@ def alignment_budget(
     roll: float = ROLL,
     gyro_bias: ArrayLike = GYRO_BIAS,
     accelerometer_bias: ArrayLike = ACCELEROMETER_BIAS,
-) -> AlignmentBudget:
+) -> DataTable:
     """Align a compass that has sensor errors; exact, and by (alignment heading), pitch and roll.
 
     Biases are given forward, up, right. In a vertical body heading and roll have no errors of their
@@ -81,18 +64,24 @@ def alignment_budget(
             heading=nothing, roll=nothing, heading_terms=np.full((len(every), 4), np.nan)
         )
         gaps[0] = gaps[2] = nothing
-    turned = alignment_attitude_error(place, local[0][-1], local[1][-1])
-    return AlignmentBudget(
-        np.append(formula.heading_terms[-1], [formula.heading[-1], gaps[0][-1]]),
-        (float(formula.pitch[-1]), float(gaps[1][-1])),
-        (float(formula.roll[-1]), float(gaps[2][-1])),
-        (float(formula.latitude[-1]), float(gaps[3][-1])),
-        (
-            float(np.linalg.norm(turned)),
-            float(rotation_angle(multiply(found.attitude[-1], conjugate(attitude[-1])))),
-        ),
-        float(heading),
-        headings,
-        gaps[0][:-1],
-        formula.heading[:-1],
+    turned = np.linalg.norm(alignment_attitude_error(place, local[0][-1], local[1][-1]))
+    away = rotation_angle(multiply(found.attitude[-1], conjugate(attitude[-1])))
+    error = np.append(formula.heading_terms[-1], [formula.heading[-1], gaps[0][-1]])
+    both = "first order and exact"
+    return DataTable(
+        {
+            "term": (TERMS, "", "of the heading error"),
+            "error": (error, "deg", "of the heading, by term"),
+            "at_heading": (headings, "deg", "to which the same compass is turned"),
+            "first_order": (formula.heading[:-1], "deg", "heading error there, to first order"),
+            "exact": (gaps[0][:-1], "deg", "heading error there"),
+            "this_heading": (every[-1:], "deg", "of the compass"),
+            "this_error": (error[-1:], "deg", "exact heading error of the compass"),
+        },
+        {
+            "pitch": ((formula.pitch[-1], gaps[1][-1]), "deg", f"error of the pitch, {both}"),
+            "roll": ((formula.roll[-1], gaps[2][-1]), "deg", f"error of the roll, {both}"),
+            "latitude": ((formula.latitude[-1], gaps[3][-1]), "deg", f"of the latitude, {both}"),
+            "attitude": ((turned, away), "deg", f"angle of the attitude error, {both}"),
+        },
     )

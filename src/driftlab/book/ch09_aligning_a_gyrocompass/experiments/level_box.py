@@ -1,11 +1,10 @@
 """A level box carried from the equator to the North, and what one gyro's error does to it there."""
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, finite_number
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.checks import finite_array, finite_number
 from driftlab.frames import from_euler_angles, navigation_frame_rate
 from driftlab.gyrocompass.alignment import align
 from driftlab.motion.vehicle import static_imu
@@ -18,18 +17,7 @@ MAGNIFIED = 200
 """How many times too large the gyro's error is where it is drawn beside the Earth's rate."""
 
 
-class LevelBox(NamedTuple):
-    """A level box at n latitudes."""
-
-    latitude: FloatArray  # (n,), rad
-    attitude: FloatArray  # (4,), body to North, Up, East, everywhere
-    earth_rate: FloatArray  # (n, 3), in North, Up, East, rad/s
-    gyro_bias: FloatArray  # (3,), in North, Up, East, rad/s
-    heading_error: FloatArray  # (n,), of the alignment, computed minus true, rad
-    magnified_error: FloatArray  # (n,), the same with the gyros' error `MAGNIFIED` times as large
-
-
-def level_box(heading: float, gyro_bias: ArrayLike) -> LevelBox:
+def level_box(heading: float, gyro_bias: ArrayLike) -> DataTable:
     """Align a level box at each quarter of a degree from the equator to `FARTHEST`.
 
     The gyro bias is given forward, up, right.
@@ -43,11 +31,26 @@ def level_box(heading: float, gyro_bias: ArrayLike) -> LevelBox:
         wrap_angle(align(rate + factor * bias, force, heading_tolerance=np.inf).heading - true)
         for factor in (1, MAGNIFIED)
     )
-    return LevelBox(
-        latitude,
-        attitude,
-        navigation_frame_rate(latitude),
-        rotate(attitude, bias),
-        once,
-        magnified,
-    )
+    facts = {
+        name: (float(np.interp(np.radians(place), latitude, once)), "arcmin", meaning)
+        for name, place, meaning in (
+            ("at_equator", 0.0, "at the equator"),
+            ("at_51_5", 51.5, "at 51.5°"),
+            ("at_85", 85.0, "heading error at 85°"),
+        )
+    }
+    return DataTable(
+        {
+            "latitude": (latitude, "deg", "of the box"),
+            "heading_error": (once, "arcmin", "of the alignment, computed minus true"),
+            "magnified_error": (
+                magnified, "deg", f"the same with {MAGNIFIED} times the gyros' error"
+            ),
+        },
+        {
+            **facts,
+            "attitude": (attitude, "", "body to North, Up, East, everywhere"),
+            "earth_rate": (navigation_frame_rate(latitude), "rad_per_s", "in North, Up, East"),
+            "gyro_bias": (rotate(attitude, bias), "rad_per_s", "in North, Up, East"),
+        },
+    )  # fmt: skip

@@ -1,10 +1,11 @@
 """Terms of the alignment's heading error over heading, pitch, latitude, and the stray factor."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, finite_array, finite_number
 from driftlab.frames import from_euler_angles
@@ -29,13 +30,13 @@ GRIDS: dict[str, FloatArray] = {
 """Values of the quantity that varies, rad."""
 
 
-class AlignmentTerms(NamedTuple):
-    """Heading errors over each of `GRIDS`, degrees."""
-
-    terms: dict[str, FloatArray]  # (n, 4) each, the four terms of first order
-    exact: dict[str, FloatArray]  # (n,) each
-    in_copy: dict[str, FloatArray]  # (n,) each, first order, with the stray factor of the copy
-    fixed: dict[str, float]  # heading, pitch and latitude where they do not vary, rad
+LABELS = (
+    "east gyro",
+    "east acc. by tan pitch",
+    "north acc. by tan pitch",
+    "east acc. by tan latitude",
+)
+"""The four terms of first order."""
 
 
 def alignment_terms(
@@ -44,7 +45,7 @@ def alignment_terms(
     latitude: float = FIXED["latitude"],
     gyro_bias_nue: ArrayLike = GYRO_BIAS,
     accelerometer_bias_nue: ArrayLike = ACCELEROMETER_BIAS,
-) -> AlignmentTerms:
+) -> DataTable:
     """Return the terms of (alignment heading), their sum as the copy has it, and the exact error.
 
     Heading, pitch and latitude vary one at a time, over `GRIDS`. The sensor errors are given in
@@ -61,7 +62,7 @@ def alignment_terms(
         finite_array(gyro_bias_nue, "gyro_bias_nue", 3),
         finite_array(accelerometer_bias_nue, "accelerometer_bias_nue", 3),
     )
-    terms, exact, in_copy = {}, {}, {}
+    columns: dict[str, tuple[Any, ...]] = {}
     for name, grid in GRIDS.items():
         at: dict[str, Any] = {**fixed, name: grid}
         attitude = from_euler_angles(at["heading"], at["pitch"], 0.0)
@@ -74,8 +75,17 @@ def alignment_terms(
         )
         gap = found.heading - at["heading"]
         formula = alignment_errors(at["heading"], at["pitch"], at["latitude"], gyro, accelerometer)
-        terms[name] = np.degrees(formula.heading_terms)
-        exact[name] = np.degrees(wrap_angle(gap))
         surplus = formula.heading_terms[:, 2] * (np.tan(at["latitude"]) - 1)
-        in_copy[name] = np.degrees(formula.heading + surplus)
-    return AlignmentTerms(terms, exact, in_copy, fixed)
+        errors = {
+            **dict(zip(LABELS, formula.heading_terms.T, strict=True)),
+            "exact": wrap_angle(gap),
+            "as in the copy": formula.heading + surplus,
+            "corrected": formula.heading,
+        }
+        columns[f"at_{name}"] = (grid, "deg", "that varies alone")
+        columns[f"error_over_{name}"] = (errors, "deg", "of the heading")
+    facts = {
+        f"fixed_{name}": (value, "deg", f"{name} where it does not vary")
+        for name, value in fixed.items()
+    }
+    return DataTable(columns, facts)

@@ -1,10 +1,9 @@
 """One position, two positions, gravity in inertial space: headings with a slow drift of gyros."""
 
-from typing import NamedTuple
-
 import numpy as np
 from scipy.constants import minute
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, finite_number, positive_number, whole_number
 from driftlab.earth import EARTH_RATE
@@ -22,25 +21,9 @@ from .averaging import DEGREE_PER_HOUR, SLOW, WHITE, gyro_noise
 UNITS = 300
 MINUTES = 10.0
 """Time of both positions together, on the left, min."""
+WAYS = ("one position", "two positions", "inertial frame")
 TURN_ERROR = float(np.radians(0.1))
 """Deviation of what is known of the turn, on the left."""
-
-
-class TwoPositions(NamedTuple):
-    """Standard deviations of the heading, rad: simulated, and as the closed forms have them."""
-
-    turns: FloatArray  # (m,), turn between the two positions, rad
-    # (2, m), simulated: with a turn that is known exactly, and with `turn_error`
-    by_turn: FloatArray
-    by_turn_formula: FloatArray  # (2, m), the same in closed form
-    times: FloatArray  # (n,), of the whole alignment, s
-    # (3, n), simulated: one position, two positions half a turn apart, gravity in inertial space
-    by_time: FloatArray
-    by_time_formula: FloatArray  # (3, n), the same in closed form
-    bound: FloatArray  # (n,), of one position without a slow part: N / (U cos(latitude) sqrt(T))
-    duration: float  # of both positions together where the turn varies, s
-    turn_error: float  # deviation of what is known of the turn, rad
-    units: int  # simulated at each place
 
 
 def two_positions(
@@ -51,7 +34,7 @@ def two_positions(
     latitude: float = SARATOV_LATITUDE,
     units: int = UNITS,
     seed: int = 97,
-) -> TwoPositions:
+) -> DataTable:
     """Headings of many units whose gyros have the quiet noise of the chapter, in three ways."""
     many, place = whole_number(units, "units", least=2), finite_number(latitude, "latitude")
     wrong_turn = positive_number(turn_error, "turn_error")
@@ -86,18 +69,27 @@ def two_positions(
     alone = walk / np.sqrt(times) / level
     mean = [noise.deviation_of_mean(round(time)) / level for time in times]
     allan = noise.allan_deviation(times / 2) / (np.sqrt(2) * level)
-    return TwoPositions(
-        turns,
-        np.array(by_turn),
-        np.array(by_turn_formula),
-        times,
-        np.array([_by_time(noise, round(time), place, many, rng) for time in times]).T,
-        np.stack([mean, allan, _through_the_bell(noise, times) / level]),
-        alone,
-        2.0 * half,
-        wrong_turn,
-        many,
-    )
+    by_time = np.array([_by_time(noise, round(time), place, many, rng) for time in times]).T
+    by_time_formula = np.stack([mean, allan, _through_the_bell(noise, times) / level])
+    known = ("turn known exactly", f"turn known to {np.degrees(wrong_turn):.1g}°")
+    kinds, spread = ("simulated", "formula"), "standard deviation of the heading"
+    return DataTable(
+        {
+            "turn": (turns, "deg", "between the two positions"),
+            "by_turn": (
+                np.stack([by_turn, by_turn_formula], axis=1), "deg", spread, [known, kinds]
+            ),
+            "time": (times, "s", "of the whole alignment"),
+            "by_time": (
+                np.stack([by_time, by_time_formula], axis=1), "deg", spread, [WAYS, kinds]
+            ),
+            "white_noise_alone": (alone, "deg", f"{spread} from one position without a slow part"),
+        },
+        {
+            "duration": (2.0 * half, "min", "time of both positions where the turn varies"),
+            "units": (many, "", "simulated at each place"),
+        },
+    )  # fmt: skip
 
 
 def noise_means(

@@ -1,10 +1,11 @@
 """A body turned right over: what its heading loses in the vertical, and what its attitude keeps."""
 
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import (
     FloatArray,
@@ -27,32 +28,6 @@ ERRORS_SHOWN = 20
 """How many times too large the sensor errors are where the found attitude is drawn."""
 
 
-class OverTheVertical(NamedTuple):
-    """True angles, and root mean square errors of many alignments, over the angle of a turn."""
-
-    # (n,), of the turn about the right axis, rad; the vertical is between two of them
-    angles: FloatArray
-    attitude: FloatArray  # (n, 4), body to North, Up, East
-    heading: FloatArray  # (n,), true, rad
-    pitch: FloatArray  # (n,), true, rad
-    roll: FloatArray  # (n,), true, rad
-    heading_error: FloatArray  # (n,), rad
-    roll_error: FloatArray  # (n,), rad
-    attitude_error: FloatArray  # (n,), rad
-    # (n,), of heading + roll, rad; it is well defined while the bow is nearer to Up
-    together_error: FloatArray
-    runs: int  # number of alignments at each angle
-
-
-class OverTheTop(NamedTuple):
-    """A half turn of the bow as many boxes find it, and as one finds it whose errors are large."""
-
-    true: OverTheVertical  # the motion, and the errors of `BOXES` boxes
-    # (n, 4), attitude that one box finds with sensor errors `ERRORS_SHOWN` times the typical ones
-    found: FloatArray
-    found_heading: FloatArray  # (n,), rad
-
-
 def turn_over(angles: ArrayLike, heading: float = HEADING, aside: float = 0.0) -> FloatArray:
     """Attitudes (n, 4) of a body that turns about its right axis until the bow is over the top.
 
@@ -72,10 +47,14 @@ def errors_over_the_vertical(
     gyro_bias: float = float(np.abs(GYRO_BIAS).max()),
     accelerometer_bias: float = float(np.abs(ACCELEROMETER_BIAS).max()),
     seed: int = 9,
-) -> OverTheVertical:
-    """Align bodies with random sensor errors in all attitudes of a half turn of the bow."""
+) -> DataTable:
+    """Align bodies with random sensor errors in all attitudes of a half turn of the bow.
+
+    The vertical lies between two of the angles.
+    """
     rng = np.random.default_rng(seed)
-    size = (whole_number(runs, "runs"), 1, 3)
+    count = whole_number(runs, "runs")
+    size = (count, 1, 3)
     gyro = positive_number(gyro_bias, "gyro_bias") * rng.standard_normal(size)
     accelerometer = positive_number(accelerometer_bias, "accelerometer_bias")
     force_error = accelerometer * rng.standard_normal(size)
@@ -88,31 +67,43 @@ def errors_over_the_vertical(
     rate, force = static_imu(attitude, place)
     found = align(rate + gyro, force + force_error, heading_tolerance=np.inf)
 
-    def spread(gap: FloatArray) -> FloatArray:
+    def rms(gap: FloatArray) -> FloatArray:
         return np.asarray(np.sqrt(np.mean(wrap_angle(gap) ** 2, axis=0)))
 
     away = rotation_angle(multiply(found.attitude, conjugate(attitude)))
-    return OverTheVertical(
-        angles,
-        attitude,
-        true.heading,
-        true.pitch,
-        roll,
-        spread(found.heading - true.heading),
-        spread(found.roll - roll),
-        np.sqrt(np.mean(away**2, axis=0)),
-        spread(found.heading + found.roll - true.heading - roll),
-        runs,
-    )
-
-
-def over_the_top(heading: float = HEADING, aside: float = 0.0) -> OverTheTop:
-    """Turn a box over, each half degree, and align it on the way."""
-    true = errors_over_the_vertical(heading, aside, np.radians(0.5), BOXES)
-    rate, force = static_imu(true.attitude, SARATOV_LATITUDE)
-    found = align(
+    large = align(
         rate + ERRORS_SHOWN * GYRO_BIAS,
         force + ERRORS_SHOWN * ACCELEROMETER_BIAS,
         heading_tolerance=np.inf,
     )
-    return OverTheTop(true, found.attitude, found.heading)
+
+    def angle(values: FloatArray, meaning: str) -> tuple[Any, ...]:
+        return values, "deg", meaning, (), 7  # where the bow points up, roundings differ by machine
+
+    error = "root mean square error"
+    return DataTable(
+        {
+            "angle": angle(angles, "turned about the right axis"),
+            "true_heading": angle(true.heading, "of the body"),
+            "true_roll": angle(roll, "of the body"),
+            "true_pitch": angle(true.pitch, "of the body"),
+            "heading_error": angle(rms(found.heading - true.heading), error),
+            "roll_error": angle(rms(found.roll - roll), error),
+            "attitude_error": angle(np.sqrt(np.mean(away**2, axis=0)), error),
+            # It is well defined while the bow is nearer to Up.
+            "heading_and_roll_error": angle(
+                rms(found.heading + found.roll - true.heading - roll), f"{error} of their sum"
+            ),
+        },
+        {
+            "runs": (count, "", "alignments at each angle"),
+            "attitude": (attitude, "", "body to North, Up, East"),
+            "found": (large.attitude, "", "by one body whose sensor errors are large"),
+            "found_heading": (large.heading, "rad", "by the same"),
+        },
+    )
+
+
+def over_the_top(heading: float = HEADING, aside: float = 0.0) -> DataTable:
+    """Turn boxes over, each half degree, and align them on the way."""
+    return errors_over_the_vertical(heading, aside, float(np.radians(0.5)), BOXES)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import ClassVar
 
 import numpy as np
-from scipy.constants import arcminute, degree, hour
+from scipy.constants import degree, hour
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import box, globe
@@ -19,11 +20,7 @@ from driftlab.earth import EARTH_RATE
 from driftlab.quaternion import multiply
 from driftlab.vectors import direction_from_angles
 
-from ..experiments import (
-    MAGNIFIED,
-    LevelBox,
-    level_box,
-)
+from ..experiments import MAGNIFIED, level_box
 from .card import (
     BOW,
     CARD,
@@ -44,13 +41,13 @@ SITE = np.radians(68.0)
 class LevelBoxView(SceneView):
     """Where the box is on the Earth, and what it finds there."""
 
-    def stage(self, data: LevelBox) -> Stage:
-        error = data.heading_error / arcminute
+    def stage(self, data: DataTable) -> Stage:
+        error = data.shown("heading_error")
         low, high = min(error.min(), 0.0), max(error.max(), 0.0)
         margin = max(0.04 * (high - low), 0.01)
         level = np.hypot(data.earth_rate[:, 0], data.earth_rate[:, 2]) / (degree / hour)
         return Stage(
-            times=np.degrees(data.latitude),
+            times=data.shown("latitude"),
             time_unit="° of latitude",
             seconds=10.0,
             tracks={"box": np.tile(multiply(TO_SPACE, data.attitude), (len(error), 1))},
@@ -75,7 +72,7 @@ class LevelBoxView(SceneView):
         )
 
 
-def globe_parts(data: LevelBox) -> tuple[Part, ...]:
+def globe_parts(data: DataTable) -> tuple[Part, ...]:
     """The Earth, the box on it, its plumb line, and the Earth's rate with its level part."""
     place = direction_from_angles(np.full_like(data.latitude, SITE), data.latitude)
     north = direction_from_angles(np.full_like(data.latitude, SITE), data.latitude + np.pi / 2)
@@ -95,7 +92,7 @@ def globe_parts(data: LevelBox) -> tuple[Part, ...]:
     )
 
 
-def inside_parts(data: LevelBox) -> tuple[Part, ...]:
+def inside_parts(data: DataTable) -> tuple[Part, ...]:
     """The box of glass on its card, what its gyros feel, and the North that it finds."""
     rate = RATE * in_space(data.earth_rate) / EARTH_RATE
     level = rate * [1.0, 1.0, 0.0]
@@ -145,7 +142,7 @@ class BoxOnTheWayNorth(SceneExplorer):
         "Better by ten": "A gyro ten times as good. How far North does it bring you?",
     }
 
-    def compute(self, values: Values) -> LevelBox:
+    def compute(self, values: Values) -> DataTable:
         bias = values["drift"] * degree / hour * np.eye(3)[BODY_AXES.index(values["gyro"])]
         return level_box(float(np.radians(values["heading"])), bias)
 
@@ -154,16 +151,9 @@ class BoxOnTheWayNorth(SceneExplorer):
         turned = np.degrees(np.arctan2(-direction[2], direction[0]))
         return {"heading": (self.values["heading"] + turned + 180) % 360 - 180}
 
-    def numbers(self, data: LevelBox) -> Results:
-        latitude = np.degrees(data.latitude)
-        errors = [
-            f"{np.interp(place, latitude, data.heading_error) / arcminute:.2f}′"
-            for place in (0.0, 51.5, 85.0)
-        ]
-        return Results(
-            ("heading error at 85°", errors[2]),
-            [("at the equator", errors[0]), ("at 51.5°", errors[1])],
-        )
+    def numbers(self, data: DataTable) -> Results:
+        rows = [data.row(name, ".2f") for name in ("at_85", "at_equator", "at_51_5")]
+        return Results(rows[0], rows[1:])
 
     def call(self, values: Values) -> str:
         return (

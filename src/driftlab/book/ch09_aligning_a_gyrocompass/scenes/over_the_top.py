@@ -8,6 +8,7 @@ import numpy as np
 from scipy.constants import degree
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import box, frame_of_box
@@ -17,7 +18,7 @@ from driftlab.book.machinery.sensor_controls import slider_value
 from driftlab.checks import FloatArray
 from driftlab.quaternion import multiply, rotate
 
-from ..experiments import BOXES, ERRORS_SHOWN, HEADING, OverTheTop, over_the_top
+from ..experiments import BOXES, ERRORS_SHOWN, HEADING, over_the_top
 from .card import (
     BOW,
     CARD,
@@ -36,22 +37,21 @@ CARD_BELOW = -0.75
 class OverTheTopView(SceneView):
     """The box as it stands and as it is found, the two headings, and the errors."""
 
-    def stage(self, data: OverTheTop) -> Stage:
-        true, factor = data.true, ERRORS_SHOWN
-        angles = np.degrees(np.unwrap([true.heading, true.pitch, true.roll]))
-        errors = np.log10(np.degrees([true.heading_error, true.attitude_error]))
+    def stage(self, data: DataTable) -> Stage:
+        angles = np.degrees(np.unwrap([data.true_heading, data.true_pitch, data.true_roll]))
+        errors = np.log10(np.degrees([data.heading_error, data.attitude_error]))
         low, high = angles.min(), angles.max()
         return Stage(
-            times=np.degrees(true.angles),
+            times=data.shown("angle"),
             time_unit="° turned",
             seconds=10.0,
             tracks={
-                "box": multiply(TO_SPACE, true.attitude),
+                "box": multiply(TO_SPACE, data.attitude),
                 "ghost": multiply(TO_SPACE, data.found),
             },
             views=(
                 View(
-                    f"the box and what it finds; sensor errors × {factor}",
+                    f"the box and what it finds; sensor errors × {ERRORS_SHOWN}",
                     overturned_parts(data),
                     62.0,
                     24.0,
@@ -85,20 +85,20 @@ class OverTheTopView(SceneView):
                 ),
             ),
             readouts=(
-                Readout("heading", np.degrees(true.heading), 1, "°"),
-                Readout("heading found within", np.degrees(true.heading_error), 2, "°"),
-                Readout("attitude found within", np.degrees(true.attitude_error), 2, "°"),
+                Readout("heading", data.shown("true_heading"), 1, "°"),
+                Readout("heading found within", data.shown("heading_error"), 2, "°"),
+                Readout("attitude found within", data.shown("attitude_error"), 2, "°"),
             ),
         )
 
 
-def overturned_parts(data: OverTheTop) -> tuple[Part, ...]:
+def overturned_parts(data: DataTable) -> tuple[Part, ...]:
     """The box, its ghost, the way of its bow, and the two headings as needles on a card below."""
     forward = np.array([1.0, 0.0, 0.0])
     down = np.array([0.0, 0.0, CARD_BELOW])
     needle, ghost, start = (
         level_direction(heading)
-        for heading in (data.true.heading, data.found_heading, data.true.heading[:1])
+        for heading in (data.true_heading, data.found_heading, data.true_heading[:1])
     )
     return (
         *lettered_card(CARD_BELOW),
@@ -107,7 +107,7 @@ def overturned_parts(data: OverTheTop) -> tuple[Part, ...]:
         Part("label", 1.15 * BOW * forward[np.newaxis], "axis", "box", text="bow"),
         *frame_of_box(HALF_SIZES, "ghost", "ghost"),
         Part("line", np.outer([HALF_SIZES[0], BOW], forward), "ghost", "ghost"),
-        Part("line", BOW * in_space(rotate(data.true.attitude, forward)), "soft"),
+        Part("line", BOW * in_space(rotate(data.attitude, forward)), "soft"),
         Part("arrow", 0.8 * CARD * from_origin(needle) + down, "good"),
         Part("arrow", 0.8 * CARD * from_origin(ghost) + down, "ghost"),
         Part("dot", CARD * start + down, "good", handle="heading before the turn"),
@@ -141,21 +141,21 @@ class BowOverTheTop(SceneExplorer):
         "Past it by thirty": "Far from the zenith. What is left of the peak?",
     }
 
-    def compute(self, values: Values) -> OverTheTop:
+    def compute(self, values: Values) -> DataTable:
         heading, aside = (float(np.radians(values[name])) for name in ("heading", "aside"))
         return over_the_top(heading, aside)
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         return {"heading": np.degrees(np.arctan2(-direction[0], direction[1]))}
 
-    def numbers(self, data: OverTheTop) -> Results:
-        heading, attitude = data.true.heading_error, data.true.attitude_error
+    def numbers(self, data: DataTable) -> Results:
+        heading, attitude = data.shown("heading_error"), data.shown("attitude_error")
         return Results(
-            ("largest heading error", f"{np.degrees(heading.max()):.2f}°"),
+            ("largest heading error", f"{heading.max():.2f}°"),
             [
-                ("heading, level", f"{np.degrees(heading[0]):.2f}°"),
-                ("attitude, level", f"{np.degrees(attitude[0]):.2f}°"),
-                ("attitude, at worst", f"{np.degrees(attitude.max()):.2f}°"),
+                ("heading, level", f"{heading[0]:.2f}°"),
+                ("attitude, level", f"{attitude[0]:.2f}°"),
+                ("attitude, at worst", f"{attitude.max():.2f}°"),
             ],
         )
 
@@ -163,6 +163,6 @@ class BowOverTheTop(SceneExplorer):
         return (
             "import numpy as np\n"
             "from driftlab.book.ch09_aligning_a_gyrocompass.experiments import over_the_top\n"
-            f"turn = over_the_top(*np.radians([{values['heading']}, {values['aside']}])).true\n"
+            f"turn = over_the_top(*np.radians([{values['heading']}, {values['aside']}]))\n"
             "print(np.degrees(turn.heading_error.max()), np.degrees(turn.attitude_error.max()))"
         )
