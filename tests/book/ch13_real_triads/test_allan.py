@@ -5,7 +5,6 @@ import pytest
 from scipy.constants import arcsecond
 
 from driftlab.book.ch13_real_triads.experiments import allan_lines as lines
-from driftlab.book.ch13_real_triads.figures.allan_plots import columns
 from driftlab.book.machinery.publish import PublishedFigure
 from published import published
 from support import recording_or_skip
@@ -16,10 +15,10 @@ def test_allan_plots_are_those_of_the_recordings(figure: PublishedFigure) -> Non
     """The picture is restored from its CSV; with the recordings it comes out the same."""
     for name in (lines.CHEAP, lines.DEAR):
         recording_or_skip(name)
-    found, shown = columns(lines.allan_lines()), columns(figure.data)
-    assert found["curve"] == shown["curve"]
+    found, shown = lines.allan_lines(), figure.data
     # Fits that are searched for end within a thousandth of each other.
-    np.testing.assert_allclose(found["y"], shown["y"], rtol=2e-3)
+    for name in ("cheap_terms", "dear_terms", "cheap_bounds", "dear_bounds", "missed", "forward"):
+        np.testing.assert_allclose(getattr(found, name), getattr(shown, name), rtol=2e-3)
 
 
 @published("13-allan-plots")
@@ -27,13 +26,13 @@ def test_the_slope_of_the_laser_gyro_is_the_car_and_not_its_pulses(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    angle = data.dear.terms[0]
+    angle = data.dear_terms[0]
     assert angle > 100 * lines.ROUNDING
     assert angle == pytest.approx(data.rocking, rel=0.1)
     assert data.missed[0] > 3
     assert data.missed[1] < 1.5
     # At the shortest time the gyro itself is quieter than the car: its own angle is no worse.
-    own = data.dear.deviation[0] * data.dear.times[0] / np.sqrt(3)
+    own = data.dear_deviation[0] * data.dear_time[0] / np.sqrt(3)
     assert own < 0.2 * arcsecond
 
 
@@ -48,10 +47,13 @@ def test_the_walk_of_the_fit_is_the_cars(figure: PublishedFigure) -> None:
 
 @published("13-allan-plots")
 def test_a_short_record_bounds_what_it_cannot_see(figure: PublishedFigure) -> None:
-    cheap, dear = figure.data.cheap, figure.data.dear
-    for part in (cheap, dear):
-        assert (np.isnan(part.bounds) == (part.terms > 0)).all()
-        assert (np.isnan(part.uncertainty) == (part.terms == 0)).all()
-        assert part.terms[1] > 2 * part.uncertainty[1]
-        assert not part.terms[2:].any()
-    assert cheap.terms[1] > 20 * dear.terms[1]
+    data = figure.data
+    for gyro in ("cheap", "dear"):
+        terms, uncertainty, bounds = (
+            getattr(data, f"{gyro}_{name}") for name in ("terms", "uncertainty", "bounds")
+        )
+        assert (np.isnan(bounds) == (terms > 0)).all()
+        assert (np.isnan(uncertainty) == (terms == 0)).all()
+        assert terms[1] > 2 * uncertainty[1]
+        assert not terms[2:].any()
+    assert data.cheap_terms[1] > 20 * data.dear_terms[1]

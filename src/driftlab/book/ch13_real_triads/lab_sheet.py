@@ -3,41 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
 
 import numpy as np
-from matplotlib.figure import Figure
 from scipy.constants import degree
 
 from driftlab.checks import FloatArray
 from driftlab.drift.missed_stops import NearTurn
 from driftlab.drift.turns_by_hand import HandTurn, HandTurnFit
 
-from ..machinery.picture import GREY, SERIES, in_style, legend_above, legend_below_all
-from ..machinery.publish import FigureDefinition, PublishedFigure
-from ..machinery.sheet import Sheet
+from ..machinery.data_table import DataTable
+from ..machinery.drawing import Drawing, from_table
+from ..machinery.picture import GREY, SERIES, legend_above, legend_below_all
+from ..machinery.publish import PublishedFigure, table_figure
 from ..machinery.table import Table
 from .offset_two_ways import RestRates
 
 AXES = "xyz"
+_ABOUT = ("about x", "about y", "about z")
 DASH = "–"
 _MOST_POINTS = 3000
 """Of a line in the picture; more cannot be seen."""
-
-
-class Log(NamedTuple):
-    """A log as it is drawn."""
-
-    seconds: FloatArray  # (n,), s
-    rates: FloatArray  # (n, 3), rad/s
-    rests: FloatArray  # (m, 2), begin and end of each rest, s
-    turns: Sequence[HandTurn]
-    near: Sequence[NearTurn]
-
-    @property
-    def moves(self) -> list[HandTurn | NearTurn]:
-        """The turns, and then what nearly was one."""
-        return [*self.turns, *self.near]
 
 
 def turns_picture(
@@ -54,14 +39,25 @@ def turns_picture(
     """
     step = max(1, len(increments) // _MOST_POINTS)
     seconds = interval * np.arange(len(increments), dtype=np.float64)[::step]
-    log = Log(
-        seconds,
-        increments[::step] / interval,
-        interval * np.asarray(rests, dtype=float),
-        turns,
-        near,
-    )
-    return _LogFigure(FigureDefinition("lab-turns", lambda: log, _draw, _columns, _caption), log)
+    begin, end = interval * np.asarray(rests, dtype=float).T
+    moves: list[HandTurn | NearTurn] = [*turns, *near]
+    spans = np.array([_span(move) for move in moves]).reshape(-1, 2)
+    table = DataTable(
+        {
+            "time": (seconds, "s", "since the begin"),
+            "rate": ((increments[::step] / interval).T, "deg_per_s", "of the gyros", _ABOUT),
+            "rest_begin": (begin, "s", "of each rest"),
+            "rest_end": (end, "s", "of each rest"),
+            "turn": (
+                [*map(str, range(1, len(turns) + 1)), *("?" for _ in near)], "",
+                "number of a turn; a question mark for what nearly was one",
+            ),
+            "turn_begin": (spans[:, 0], "s", "of each turn"),
+            "turn_end": (spans[:, 1], "s", "of each turn"),
+        },
+        {"turns": ([f"{'+' if t.turns > 0 else '−'}{AXES[t.axis]}" for t in turns], "", "about")},
+    )  # fmt: skip
+    return _LogFigure(table_figure("lab-turns", lambda: table, _draw, _caption), table)
 
 
 class _LogFigure(PublishedFigure):
@@ -72,71 +68,43 @@ class _LogFigure(PublishedFigure):
         return "turns_picture(increments, interval, rests, turns, near)"
 
 
-def _columns(log: Log) -> dict[str, Any]:
-    """Columns of the picture's CSV: the rates as drawn; begin and end of rests and of turns."""
-    spans = np.array([_span(move) for move in log.moves]).reshape(-1, 2)
-    rates = log.rates.T / degree
-    return {
-        "time_s": log.seconds,
-        **{f"rate_about_{axis}_deg_per_s": rate for axis, rate in zip(AXES, rates, strict=True)},
-        **{f"rest_{end}_s": log.rests[:, k] for k, end in enumerate(("begin", "end"))},
-        "turn": _marks(log),
-        **{f"turn_{end}_s": spans[:, k] for k, end in enumerate(("begin", "end"))},
-    }
-
-
-def _marks(log: Log) -> list[str]:
-    """What stands above each turn, and above each move that nearly was one."""
-    return [*map(str, range(1, len(log.turns) + 1)), *("?" for _ in log.near)]
-
-
 def _span(move: HandTurn | NearTurn) -> FloatArray:
     """Begin and end (2,) of a move, s."""
     return move.seconds / (move.end - move.begin) * np.array([move.begin, move.end])
 
 
-def _caption(log: Log) -> str:
-    names = ", ".join(f"{'+' if t.turns > 0 else '−'}{AXES[t.axis]}" for t in log.turns)
+def _caption(table: DataTable) -> str:
+    marks = table.turn.count("?")
     missed = {
         0: "",
         1: " The question mark is at a move that nearly was a turn.",
-    }.get(
-        len(log.near), f" The {len(log.near)} question marks are at moves that nearly were turns."
-    )
+    }.get(marks, f" The {marks} question marks are at moves that nearly were turns.")
     return (
-        f"What the three gyros said in {log.seconds[-1]:.0f} seconds. The bands are the "
-        f"{len(log.rests)} stretches that count as rests. Between them are {len(log.turns)} "
-        f"whole turns: {names or 'none'}."
+        f"What the three gyros said in {table.time[-1]:.0f} seconds. The bands are the "
+        f"{len(table.rest_begin)} stretches that count as rests. Between them are "
+        f"{len(table.turns)} whole turns: {', '.join(table.turns) or 'none'}."
         f"{missed}"
     )
 
 
-@in_style
-def _draw(log: Log, sheet: Sheet) -> Figure:
-    figure, panels = sheet.mosaic("a", (10.0, 3.6), (0.07, 0.15, 0.99, 0.88), column_height=2.6)
+@from_table
+def _draw(drawing: Drawing) -> None:
+    table, sheet = drawing.table, drawing.sheet
+    panels = drawing.mosaic("a", (10.0, 3.6), (0.07, 0.15, 0.99, 0.88), column_height=2.6)
     panel = panels["a"]
-    for begin, end in log.rests:
-        panel.axvspan(begin, end, color=GREY, alpha=0.2, linewidth=0)
-    for name, style, rates in zip(AXES, SERIES, log.rates.T / degree, strict=False):
-        panel.plot(
-            log.seconds,
-            rates,
-            **style,
-            linewidth=0.8 if sheet.on_paper else 1.2,
-            label=f"about {name}",
-        )
-    highest = 1.18 * np.abs(log.rates).max() / degree
-    for move, mark in zip(log.moves, _marks(log), strict=True):
-        panel.text(
-            _span(move).mean(), 0.97 * highest, mark, ha="center", va="top", fontsize="medium"
-        )
+    drawing.spans(panel, "rest_begin", "rest_end", color=GREY, alpha=0.2, linewidth=0)
+    width = 0.8 if sheet.on_paper else 1.2
+    for name, style in zip(_ABOUT, SERIES, strict=False):
+        drawing.curve(panel, "time", f"rate, {name}", **style, linewidth=width, label=name)
+    highest = 1.18 * np.abs(table.rate).max() / degree
+    for mark, *span in zip(table.turn, table.turn_begin, table.turn_end, strict=True):
+        panel.text(np.mean(span), 0.97 * highest, mark, ha="center", va="top", fontsize="medium")
     panel.set(xlabel="time, s", ylabel="rate, deg/s", ylim=(-highest, highest))
-    panel.set_xlim(log.seconds[0], log.seconds[-1])
+    panel.set_xlim(table.time[0], table.time[-1])
     if sheet.on_paper:
-        legend_below_all(figure, sheet, panel, ncols=3, column=3)
+        legend_below_all(drawing.figure, sheet, panel, ncols=3, column=3)
     else:
         legend_above(panel, ncols=3)
-    return figure
 
 
 def turns_table(turns: Sequence[HandTurn], near: Sequence[NearTurn] = ()) -> Table:

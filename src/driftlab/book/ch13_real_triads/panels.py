@@ -9,13 +9,14 @@ import numpy as np
 from scipy.constants import arcsecond, degree, hour, minute
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import ABSENT, Results
 from driftlab.book.machinery.units import number_text
 from driftlab.checks import FloatArray
 from driftlab.noise_terms import NoiseTerms
 
-from .experiments.simulated_allan import SAMPLES, SimulatedAllan, simulated_allan
+from .experiments.simulated_allan import SAMPLES, simulated_allan
 from .figures.allan_explorer import WORDS, AllanPicture
 
 ROOT_HOUR = np.sqrt(hour)
@@ -71,22 +72,21 @@ class AllanExplorer(Explorer):
         "Puzzle: two that fall": "Where do the lines cross? Move one until you see it alone.",
     }
 
-    def compute(self, values: Values) -> SimulatedAllan:
+    def compute(self, values: Values) -> DataTable:
         return simulated_allan(noise_of(values), values["length"] * minute, values["run"])
 
-    def numbers(self, data: SimulatedAllan) -> Results:
-        found = data.allan
+    def numbers(self, table: DataTable) -> Results:
         rows = []
         for i, (words, unit) in enumerate(zip(WORDS, UNIT_WORDS, strict=True)):
-            size, read = _coefficients(data.noise)[i], _reading(data, i) / UNITS[i]
+            size, read = _coefficients(table.noise)[i], _reading(table, i) / UNITS[i]
             put_in = number_text(size) if size else ABSENT
             shown = "nowhere" if np.isnan(read) else number_text(read)
             rows.append((f"{words}, {unit}", put_in, shown if size else ABSENT))
-        lowest = int(np.argmin(found.deviation))
-        height = number_text(found.deviation[lowest] / UNITS[2])
-        says = f"{height} °/h at {number_text(found.averaging_times[lowest])} s"
+        lowest = int(np.argmin(table.deviation))
+        height = number_text(table.shown("deviation")[lowest])
+        says = f"{height} °/h at {number_text(table.time[lowest])} s"
         return Results(
-            ("lowest point", says if found.deviation.any() else ABSENT), rows, ("put in", "read")
+            ("lowest point", says if table.deviation.any() else ABSENT), rows, ("put in", "read")
         )
 
     def call(self, values: Values) -> str:
@@ -112,22 +112,22 @@ def _coefficients(noise: NoiseTerms) -> FloatArray:
     return np.array(astuple(noise)) / UNITS
 
 
-def _reading(data: SimulatedAllan, term: int) -> float:
+def _reading(table: DataTable, term: int) -> float:
     """Coefficient that the plot gives where this term's line rules, SI units; NaN if nowhere.
 
     It rules where it makes up nine tenths of the variance, with more than 5 degrees of freedom.
     """
-    times = data.allan.averaging_times
-    line = list(data.noise.lines(times).values())[term]
-    size = float(_coefficients(data.noise)[term] * UNITS[term])
-    total = data.noise.deviation(times)
+    times, noise = table.time, table.noise
+    line = list(noise.lines(times).values())[term]
+    size = float(_coefficients(noise)[term] * UNITS[term])
+    total = noise.deviation(times)
     # With all sliders at zero there is no noise at all.
     share = np.divide(line, total, out=np.zeros_like(line), where=total > 0) ** 2
-    share[data.allan.degrees_of_freedom <= 5] = 0.0
+    share[table.degrees_of_freedom <= 5] = 0.0
     if share.max() <= 0.9:
         return float("nan")
     place = int(np.argmax(share))
-    return size * float(data.allan.deviation[place] / line[place])
+    return size * float(table.deviation[place] / line[place])
 
 
 PANELS = (AllanExplorer,)

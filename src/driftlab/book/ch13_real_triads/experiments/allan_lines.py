@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from dataclasses import astuple
+from typing import Any
 
 import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.allan import AllanDeviation, allan_deviation
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.gyrocompass.inertial_alignment import (
     align_in_inertial_frame,
@@ -15,7 +17,7 @@ from driftlab.gyrocompass.inertial_alignment import (
 )
 from driftlab.gyrocompass.noise_fit import fit_gyro_noise
 from driftlab.noise_identification import NoiseFit, fit_noise_terms
-from driftlab.noise_terms import TERMS
+from driftlab.noise_terms import TERMS, NoiseTerms
 from driftlab.recordings.publishers import published
 from driftlab.recordings.recording import Recording
 
@@ -36,43 +38,12 @@ ROCKING = (0.5, 5.0)
 """Frequencies between which a car rocks, Hz."""
 
 
-class Lines(NamedTuple):
-    """The Allan deviation of one gyro, and the terms that fit it."""
-
-    times: FloatArray  # (k,), s
-    deviation: FloatArray  # (k,), rad/s
-    lower: FloatArray  # (k,), rad/s
-    upper: FloatArray  # (k,), rad/s
-    terms: FloatArray  # (5,), coefficients in the order of `TERMS`, SI units; zero if not seen
-    uncertainty: FloatArray  # (5,), their standard deviations; NaN if not seen
-    bounds: FloatArray  # (5,), 95 % upper bounds of those that are not seen; NaN for the others
-    begin: float  # shortest averaging time of the fit, s
-    length: float  # of the record at rest, s
-
-
-class AllanLines(NamedTuple):
-    """Two gyros at rest."""
-
-    cheap: Lines  # the z gyro of an MPU-9150
-    dear: Lines  # a laser gyro about Up
-    # (2,), largest ratio of the laser gyro's points in the fit to the best `GyroNoise` without and
-    # with a rounded angle, or the other way round
-    missed: FloatArray
-    rocking: float  # standard deviation of its angle in the frequencies in which a car rocks, rad
-    # largest coherence (squared) of it, in these frequencies, with the forward gyro beside it: what
-    # two sensors see at once is not the noise of one
-    shared: float
-    # (2,), angle random walk of the forward gyro of the same unit, rad/√s: as the same fit to the
-    # same stretch has it, and the largest that its headings allow
-    forward: FloatArray
-
-
 def allan_lines(
     cheap_rest: tuple[float, float] = STILL,
     dear_rest: tuple[float, float] = QUIET,
     cheap_from: float = CHEAP_FROM,
     dear_from: float = DEAR_FROM,
-) -> AllanLines:
+) -> DataTable:
     """Fit the noise terms of both gyros, from the shortest averaging times that are given, s."""
     from scipy.signal import coherence, welch  # take a third of a second to be loaded
 
@@ -90,14 +61,44 @@ def allan_lines(
     frequency, density = welch(np.cumsum(angle - angle.mean()), 1 / interval, nperseg=rows)
     band = (ROCKING[0] <= frequency) & (frequency < ROCKING[1])
     _, shared = coherence(angle, forward, 1 / interval, nperseg=rows)
-    return AllanLines(
-        _lines(cheap, fit_noise_terms(_from(cheap, cheap_from, "cheap_from")), cheap_from),
-        _lines(dear, fit_noise_terms(later), dear_from),
-        np.exp(np.abs(np.log(ratios)).max(axis=-1)),
-        float(np.sqrt(density[band].sum() * frequency[1])),
-        float(shared[band].max()),
-        np.array([fit_noise_terms(beside).terms.angle_random_walk, walk_by_headings()]),
-    )
+    columns: dict[str, tuple[Any, ...]] = {}
+    facts: dict[str, tuple[Any, ...]] = {}
+    for gyro, (rates, step), fit, begin in (
+        ("cheap", cheap, fit_noise_terms(_from(cheap, cheap_from, "cheap_from")), cheap_from),
+        ("dear", dear, fit_noise_terms(later), dear_from),
+    ):
+        drawn = _drawn(allan_deviation(rates, step), fit, float(begin))
+        columns |= {f"{gyro}_{name}": entry for name, entry in drawn.items()}
+        terms, deviations, bounds = _terms(fit)
+        facts |= {
+            f"{gyro}_terms": (terms, "", "coefficients in SI units; zero if not seen"),
+            f"{gyro}_uncertainty": (deviations, "", "their standard deviations"),
+            f"{gyro}_bounds": (bounds, "", "95 % upper bounds of those that are not seen"),
+            f"{gyro}_length": (len(rates) * step, "s", f"length of the {gyro} gyro's rest"),
+        }
+    ends = columns["dear_line_time"][0]
+    rounding = NoiseTerms(quantisation=ROUNDING).deviation(ends)
+    columns["rounding_time"] = (ends, "s", "averaging time")
+    columns["rounding"] = (rounding, "deg_per_h", "what rounded pulses alone would do")
+    walks = np.array([fit_noise_terms(beside).terms.angle_random_walk, walk_by_headings()])
+    return DataTable(
+        columns,
+        {
+            **facts,
+            "missed": (
+                np.exp(np.abs(np.log(ratios)).max(axis=-1)), "",
+                "largest ratio of a point to the best fit, without and with a rounded angle",
+            ),
+            "rocking": (
+                float(np.sqrt(density[band].sum() * frequency[1])), "arcsec",
+                "deviation of the dear gyro's angle where a car rocks",
+            ),
+            # what two sensors see at once is not the noise of one
+            "shared": (float(shared[band].max()), "", "coherence with the forward gyro there"),
+            # rad/√s
+            "forward": (walks, "", "walk of the forward gyro by fit, and at most by headings"),
+        },
+    )  # fmt: skip
 
 
 def walk_by_headings() -> float:
@@ -135,17 +136,34 @@ def _from(record: tuple[FloatArray, float], shortest: float, name: str) -> Allan
     return allan_deviation(rates, interval, np.geomspace(shortest, length / 4, 20))
 
 
-def _lines(record: tuple[FloatArray, float], fit: NoiseFit, begin: float) -> Lines:
-    rates, interval = record
-    allan = allan_deviation(rates, interval)
-    return Lines(
-        allan.averaging_times,
-        allan.deviation,
-        allan.lower,
-        allan.upper,
-        np.array([getattr(fit.terms, name) for name in TERMS]),
-        np.array([fit.deviations.get(name, np.nan) for name in TERMS]),
-        np.array([fit.upper_bounds.get(name, np.nan) for name in TERMS]),
-        float(begin),
-        len(rates) * interval,
+def _terms(fit: NoiseFit) -> FloatArray:
+    """Coefficients of the five terms, their deviations, and bounds of those not seen: (3, 5)."""
+    found = (
+        astuple(fit.terms),
+        *(
+            [each.get(name, np.nan) for name in TERMS]
+            for each in (fit.deviations, fit.upper_bounds)
+        ),
     )
+    return np.array(found)
+
+
+def _drawn(allan: AllanDeviation, fit: NoiseFit, begin: float) -> dict[str, tuple[Any, ...]]:
+    """Points, the fit, and a line for each term that is seen, or its bound."""
+    times, time, unit = allan.averaging_times, "averaging time", "deg_per_h"
+    fitted, ends = np.geomspace(max(begin, times[0]), times[-1], 50), times[[0, -1]]
+    columns: dict[str, tuple[Any, ...]] = {
+        "time": (times, "s", time),
+        "in_the_fit": (np.where(times >= begin * (1 - 1e-9), "yes", "no"), "", "whether used"),
+        "deviation": (allan.deviation, unit, "Allan deviation"),
+        "lower": (allan.lower, unit, "lower end of its interval of 68 %"),
+        "upper": (allan.upper, unit, "upper end of its interval of 68 %"),
+        "fit_time": (fitted, "s", time),
+        "fit": (fit.terms.deviation(fitted), unit, "what the terms seen add up to"),
+        "line_time": (ends, "s", time),
+    }
+    for name, term, _, bound in zip(TERMS, *_terms(fit), strict=True):
+        if np.isfinite(size := float(term if term > 0 else bound)):
+            line = NoiseTerms(**{name: size}).deviation(ends)
+            columns[name] = (line, unit, "its line" if term > 0 else "line of its upper bound")
+    return columns

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import maximum_filter1d
 from scipy.optimize import least_squares
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.calibration.poses import calibrate_by_poses
 from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import published
@@ -48,6 +49,7 @@ WAYS = (
 """Ways of the authors' method: the first is their own, the third drops one rest of one unit."""
 WAY_NAMES = (*(way.name for way in WAYS), "rests and weights of this book")
 """All ways, `calibrate_by_poses` the last."""
+UNIT_NAMES = tuple(f"unit {number}" for number in range(1, 6))
 ODD = 1
 """Index of the unit for which ways matter."""
 PAUSE = [1, 2]
@@ -63,55 +65,7 @@ class UnitFit(NamedTuple):
     angles: FloatArray
 
 
-class FiveUnits(NamedTuple):
-    """First index the way, if there is one; then the unit."""
-
-    # (5, 3, 3), K of measured = (I + K) true + bias, from the authors' table
-    published_gyro: FloatArray
-    published_accelerometer: FloatArray  # (5, 3, 3), L, likewise
-    gyro: FloatArray  # (way, 5, 3, 3), K in the same axes
-    # (way, 5, 3, 3), its standard deviations, by the scatter of the residuals
-    deviation: FloatArray
-    # (way, 5, 3, 3), L, by all three components of what a sample at rest has too much
-    accelerometer: FloatArray
-    # (5, 3, 3), L in the authors' way with the code of the year of the table, which lost the third
-    before_the_fix: FloatArray
-    residual: FloatArray  # (way, 5), root mean square of the angles left, rad
-    moves: FloatArray  # (way, 5), how many moves were found
-    # (5,), with the published matrices and gyro bias, in the authors' way
-    published_residual: FloatArray
-    # (5,), with the bias that suits these matrices best, because theirs is rounded
-    with_own_bias: FloatArray
-    shortest: FloatArray  # (5,), samples in the shortest rest that the authors' way finds
-    # (m,), of the odd unit: the angle left after each move in the authors' way, rad
-    angles: FloatArray
-    pause: FloatArray  # (2,), rows of its shortest rest
-    rate: FloatArray  # (n,), size of its rate about that rest, rad/s, from the row `rate_begin` on
-    rate_begin: FloatArray  # ()
-
-    @property
-    def difference(self) -> FloatArray:
-        """Largest difference (way, 5) of an entry of K from the table."""
-        return np.abs(self.gyro - self.published_gyro).max(axis=(-2, -1))
-
-    @property
-    def in_deviations(self) -> FloatArray:
-        """Largest difference (way, 5) in units of the entry's own deviation."""
-        return (np.abs(self.gyro - self.published_gyro) / self.deviation).max(axis=(-2, -1))
-
-    @property
-    def moved(self) -> FloatArray:
-        """By how much K (3, 3) of the odd unit moves when its shortest rest alone is dropped."""
-        with_it, without = self.gyro[PAUSE, ODD]
-        return np.abs(without - with_it)
-
-    @property
-    def moved_in_deviations(self) -> FloatArray:
-        """The largest of it in units of the entry's own deviation: (2,), with it and without."""
-        return (self.moved / self.deviation[PAUSE, ODD]).max(axis=(-2, -1))
-
-
-def five_units() -> FiveUnits:
+def five_units() -> DataTable:
     """Fit all five units in all ways."""
     logs = [published(name, download=False) for name in UNITS]
     tables = [imu_calib_triads(unit) for unit in range(len(UNITS))]
@@ -119,25 +73,60 @@ def five_units() -> FiveUnits:
     fits.append([weighted_fit(log) for log in logs])
     own = np.array([_with_table(log, table) for log, table in zip(logs, tables, strict=True)])
     cuts = [authors_rests(log, WAYS[0]) for log in logs]
+    then = [_before_the_fix(log, rows) for log, rows in zip(logs, cuts, strict=True)]
     pause = min(cuts[ODD], key=lambda rows: rows[1] - rows[0])
     around = slice(pause[0] - 330, pause[1] + 300)
-    return FiveUnits(
-        np.array([table[1].error for table in tables]),
-        np.array([table[0].error for table in tables]),
-        np.array([[fit.gyro for fit in row] for row in fits]),
-        np.array([[fit.deviation for fit in row] for row in fits]),
-        np.array([[fit.accelerometer for fit in row] for row in fits]),
-        np.array([_before_the_fix(log, rows) for log, rows in zip(logs, cuts, strict=True)]),
-        np.array([[_rms(fit.angles) for fit in row] for row in fits]),
-        np.array([[len(fit.angles) for fit in row] for row in fits], float),
-        own[:, 0],
-        own[:, 1],
-        np.array([min(end - begin for begin, end in rows) for rows in cuts], float),
-        fits[0][ODD].angles,
-        np.array(pause, float),
-        np.linalg.norm(logs[ODD].gyro[around], axis=1),
-        np.array(float(around.start)),
+    interval = logs[ODD].interval
+    gyro, deviation = (
+        np.array([[getattr(fit, name) for fit in row] for row in fits])
+        for name in ("gyro", "deviation")
     )
+    off = np.abs(gyro - [table[1].error for table in tables])
+    moved = np.abs(gyro[PAUSE[1], ODD] - gyro[PAUSE[0], ODD])
+    today = np.array([fit.accelerometer for fit in fits[0]])
+    residual = np.array([[_rms(fit.angles) for fit in row] for row in fits])
+    authors = "in the authors' way"
+    return DataTable(
+        {
+            "time": (interval * np.arange(around.start, around.stop), "s", "about the pause"),
+            "rate": (
+                np.linalg.norm(logs[ODD].gyro[around], axis=1), "rad_per_s", "size of it, unit 2"
+            ),
+            "quiet_below": ([QUIET], "rad_per_s", "rate at which the authors see a rest"),
+            "rest_begins": ([interval * pause[0]], "s", "shortest rest of unit 2"),
+            "rest_ends": ([interval * pause[1]], "s", "shortest rest of unit 2"),
+            "way": (WAY_NAMES, "", "to cut and fit a record"),
+            "largest_difference": (
+                off.max(axis=(-2, -1)).T, "", "of an entry of K from the published one", UNIT_NAMES
+            ),
+            "angle_left": (residual.T, "deg", "after a move, root mean square", UNIT_NAMES),
+        },
+        {
+            "gyro": (gyro, "", "K of measured = (I + K) true + bias, by way and unit"),
+            "deviation": (deviation, "", "its standard deviations"),
+            "in_deviations": (
+                (off / deviation).max(axis=(-2, -1)), "", "largest difference from the published K"
+            ),
+            "published_accelerometer": (
+                np.array([table[0].error for table in tables]), "", "L of each unit"
+            ),
+            "accelerometer": (today, "", f"L {authors}, by all three components"),
+            "before_the_fix": (np.array(then), "", "L with the code of the year of the table"),
+            "moves": (np.array([[len(fit.angles) for fit in row] for row in fits]), "", "by way"),
+            "published_residual": (own[:, 0], "deg", f"left by the published numbers, {authors}"),
+            "with_own_bias": (own[:, 1], "deg", "the same with the best bias; theirs is rounded"),
+            "shortest": (
+                np.array([min(end - begin for begin, end in rows) for rows in cuts]), "",
+                f"samples in the shortest rest {authors}",
+            ),
+            "angles": (fits[0][ODD].angles, "deg", f"left after each move of unit 2, {authors}"),
+            "pause": (np.array(pause), "", "rows of its shortest rest"),
+            "moved": (moved.max(), "", "change of its K without this rest"),
+            "moved_in_deviations": (
+                (moved / deviation[PAUSE, ODD]).max(axis=(-2, -1)), "", "with it and without"
+            ),
+        },
+    )  # fmt: skip
 
 
 def fit_unit(log: Recording, way: Way) -> UnitFit:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.linalg import inv, norm
 
 from driftlab.attitude.integration import integrate
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number
 from driftlab.core.quaternion import rotate, to_rotation_vector
 from driftlab.drift.recorded_turns import recorded_turn_estimate
@@ -19,7 +20,9 @@ from .force_and_gravity import force_and_gravity
 TURNS = ("x_rot", "y_rot", "z_rot")
 SIDES = ("x_p", "x_a", "y_p", "y_a", "z_p", "z_a")
 SOURCES = ("stop, assumed", "axis", "gyro bias", "gyro noise", "Earth")
-"""Where the error of an estimate may come from: the columns of `HandTurns.sources`."""
+"""Where the error of an estimate may come from."""
+ROWS = (*SOURCES, "in quadrature", "Larin, another cut", "Larin − Ferraris")
+"""By how much an estimate may move, or does."""
 POINTS = 81
 """Of a path, both ends included."""
 STOP = float(np.radians(0.1))
@@ -43,50 +46,22 @@ class Rests(NamedTuple):
         return self.force.mean(axis=0)
 
 
-class HandTurns(NamedTuple):
-    """Three turns by hand: the first index is the turn, about the axis x, y or z.
+def hand_turns(stop_deviation: float = STOP) -> DataTable:
+    """Turn estimates of the Ferraris session, a turn about each axis.
 
     All of it is of turns from rest to rest, but for what says of the publishers' sections. These
-    end sooner, in one turn while the hand is still at work.
-    """
-
-    estimate: FloatArray  # (3,), n^T Sigma n by Larin's (3.3), gyro bias taken off
-    deviation: FloatArray  # (3,), its standard deviation
-    by_sections: FloatArray  # (3,), the same estimate from the publishers' sections
-    with_bias: FloatArray  # (3,), as `estimate`, with the bias left in
-    # (3, 5), deviations by source, in the order of `SOURCES`; of the Earth the most that it can do
-    sources: FloatArray
-    ferraris: FloatArray  # (3,), Ferraris's diagonal minus one, from the publishers' sections
-    integral: FloatArray  # (3, 3), sums of the gyros' angles, rad
-    # (3, 3), rotation vector of the attitude that is integrated from the gyros after the turn, rad
-    error: FloatArray
-    duration: FloatArray  # (3,), from rest to rest, s
-    # (3, 81, 2), tilt of the axis during the turn about the two other axes, in cyclic order, by the
-    # integrated attitude, rad
-    path: FloatArray
-    added: FloatArray  # (3, 81, 2), the same if the gyros' angles are only added up
-
-    @property
-    def stop_deviation(self) -> float:
-        """Standard deviation of the heading at the end that was assumed, rad."""
-        return float(2 * np.pi * self.sources[0, 0])
-
-
-def hand_turns(stop_deviation: float = STOP) -> HandTurns:
-    """Turn estimates of the Ferraris session.
-
-    `stop_deviation` is that of the heading to which the hand comes back: assumed, no sensor sees
-    it.
+    end sooner, in one turn while the hand is still at work. `stop_deviation` is that of the heading
+    to which the hand comes back: assumed, no sensor sees it.
     """
     stop_deviation = positive_number(stop_deviation, "stop_deviation")
     log, rows = published("ferraris-session", download=False), ferraris_sections(download=False)
     rests = _rests(log, [slice(*rows[side]) for side in SIDES])
     stops = rests_of(log).rows
     turns = [_turn(log, axis, rows[name], stops, rests) for axis, name in enumerate(TURNS)]
-    arrays = {field: np.array([turn[field] for turn in turns]) for field in turns[0]}
-    gravity, duration = arrays.pop("gravity"), arrays["duration"]
+    found = {field: np.array([turn[field] for turn in turns]) for field in turns[0]}
+    gravity, duration, integral = found["gravity"], found["duration"], found["integral"]
     # The triad, a column a turn, shows what a turn about gravity would read instead of one about n.
-    triad = arrays["integral"].T / np.copysign(2 * np.pi, np.diag(arrays["integral"]))
+    triad = integral.T / np.copysign(2 * np.pi, np.diag(integral))
     axis = np.einsum("ki,ij,kj->k", gravity, triad, gravity) - np.diag(triad)
     stop = np.full(3, stop_deviation / (2 * np.pi))
     walk = rests.gyro_noise * np.sqrt(log.interval * duration) / (2 * np.pi)
@@ -94,12 +69,39 @@ def hand_turns(stop_deviation: float = STOP) -> HandTurns:
     earth = earth_offset(np.pi / 4, 2 * np.pi / duration, (0.0, 1.0, 1.0))
     bias = rests.bias_scatter * duration / (2 * np.pi)
     sources = np.stack([stop, np.abs(axis), bias, walk, earth], axis=1)
-    return HandTurns(
-        **arrays,
-        deviation=norm(sources, axis=1),
-        sources=sources,
-        ferraris=_ferraris_diagonal(log, rows, rests),
-    )
+    deviation, ferraris = norm(sources, axis=1), _ferraris_diagonal(log, rows, rests)
+    moved = np.abs([found["estimate"] - found["by_sections"], found["by_sections"] - ferraris])
+    path, added = found["path"], found["added"]
+    next_axis, axis_after = "about the next axis", "about the one after it"
+    return DataTable(
+        {
+            "turn": ([name for name in "xyz" for _ in range(POINTS)], "", "axis of the turn"),
+            "tilt_next_axis": (path[..., 0].ravel(), "deg", f"tilt of the axis {next_axis}"),
+            "added_next_axis": (added[..., 0].ravel(), "deg", "the same by angles added up"),
+            "tilt_axis_after": (path[..., 1].ravel(), "deg", f"tilt of the axis {axis_after}"),
+            "added_axis_after": (added[..., 1].ravel(), "deg", "the same by angles added up"),
+            "error_by_source": (ROWS, "", "what may move an estimate, or does"),
+            "part_of_a_turn": (
+                np.stack([*sources.T, deviation, *moved], axis=1), "", "by how much",
+                ["turn about x", "turn about y", "turn about z"],
+            ),
+        },
+        {
+            "estimate": (found["estimate"], "", "Larin's (3.3), n^T Sigma n, gyro bias taken off"),
+            "deviation": (deviation, "", "its standard deviation"),
+            "by_sections": (found["by_sections"], "", "estimate from the publishers' sections"),
+            "with_bias": (found["with_bias"], "", "estimate with the gyro bias left in"),
+            # Of the Earth the most that it can do.
+            "sources": (sources, "", "deviations of each turn, by source"),
+            "ferraris": (ferraris, "", "Ferraris's diagonal minus one, from the sections"),
+            "integral": (integral, "rad", "sums of the gyros' angles, of each turn"),
+            "error": (found["error"], "rad", "rotation vector by the gyros after each turn"),
+            "duration": (duration, "s", "from rest to rest"),
+            "stop_deviation": (stop_deviation, "deg", "assumed of the heading at the end"),
+            "added_up": (np.abs(added[:, -1]).max(), "deg", "across the axis, by angles added up"),
+            "come_back": (np.abs(path[:, -1]).max(), "deg", "across the axis, as a rotation"),
+        },
+    )  # fmt: skip
 
 
 def _rests(log: Recording, parts: list[slice]) -> Rests:
@@ -121,7 +123,7 @@ def _turn(
     stops: list[tuple[int, int]],
     rests: Rests,
 ) -> dict[str, FloatArray]:
-    """What one turn about a body axis gives, under the names of `HandTurns`."""
+    """What one turn about a body axis gives, by name."""
     begin = max(last for _, last in stops if last <= section[0])
     end = min(first for first, _ in stops if first >= section[1])
     cut = slice(section[0] - begin, section[1] - begin)

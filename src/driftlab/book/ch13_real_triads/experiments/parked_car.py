@@ -1,11 +1,12 @@
 """Plotnikov Fig. 2 with a real triad: headings of a parked car, found again and again."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, finite_array
 from driftlab.core.carried_gravity import (
     carried_velocity,
@@ -15,6 +16,7 @@ from driftlab.core.carried_gravity import (
 )
 from driftlab.core.quantiles import chi_squared_quantile
 from driftlab.core.quaternion import multiply
+from driftlab.earth import EARTH_RATE
 from driftlab.frames import to_euler_angles
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.alignment_results import Alignment
@@ -37,28 +39,10 @@ SHORTEST = 10.0
 """Seconds of a restart that tell a heading at all."""
 LEAST = 3
 """Stretches of a length that must fit into the record, to say how far headings spread."""
+APART = 0.03
+"""Part of a length by which marks of the three methods stand side by side."""
 UNREST = 10.0
 """Seconds over which the unrest of the car is taken."""
-
-
-class ParkedCar(NamedTuple):
-    """Headings from stretches of one record, by the three methods in the order of `METHODS`."""
-
-    # (3,), of the stretches, s: of the restarts, longer and longest. Published for 70, 180 and 300
-    # s, of which the record has 26, 10 and 6
-    lengths: FloatArray
-    restarts: FloatArray  # (3, 26), headings, rad
-    longer: FloatArray  # (3, 10), headings, rad
-    stretches: FloatArray  # (3, 6), headings, rad
-    restart_deviations: FloatArray  # (26,), standard deviations as all velocities state them, rad
-    longer_deviations: FloatArray  # (10,), likewise
-    stretch_deviations: FloatArray  # (6,), likewise
-    # (26,), from the means of each restart, rad: the alarm that `align` has in its hand
-    found_latitude: FloatArray
-    level_rate: FloatArray  # (26,), at which gravity is seen to move in each restart, rad/s
-    latitude: FloatArray  # (), of the place, rad
-    # (184,), standard deviation of the level rates' means over a second, in each ten seconds, rad/s
-    unrest: FloatArray
 
 
 class Spread(NamedTuple):
@@ -71,7 +55,7 @@ class Spread(NamedTuple):
     high: float
 
 
-def parked_car(lengths: ArrayLike = (RESTART, LONGER, STRETCH)) -> ParkedCar:
+def parked_car(lengths: ArrayLike = (RESTART, LONGER, STRETCH)) -> DataTable:
     """Cut the record into stretches and find the heading in each, by three methods.
 
     The lengths (s) are those of a restart, of longer stretches and of the longest.
@@ -95,19 +79,53 @@ def parked_car(lengths: ArrayLike = (RESTART, LONGER, STRETCH)) -> ParkedCar:
         np.stack([mean.heading, pair, found.heading])
         for mean, pair, found in zip(means, two, carried, strict=True)
     ]
-    return ParkedCar(
-        lengths,
-        headings[0],
-        headings[1],
-        headings[2],
-        carried[0].deviation,
-        carried[1].deviation,
-        carried[2].deviation,
-        found_latitude=means[0].latitude,
-        level_rate=carried[0].level_rate,
-        latitude=np.array(latitude),
-        unrest=unrest(whole),
+    shaken, level = unrest(whole), EARTH_RATE * np.cos(latitude)
+    columns: dict[str, tuple[Any, ...]] = {
+        "unrest_time": (_middles(UNREST, len(shaken)), "min", "since the begin"),
+        "unrest": (shaken, "deg_per_h", "deviation of the level rates' means over a second"),
+        "level_earth_rate": (np.array([level]), "deg_per_h", "at the place"),
+        "file_header_heading": (np.array([HEADER]), "deg", "maybe inaccurate, says the file"),
+    }
+    for name, part in (("restart", 0), ("stretch", 2)):
+        (mean, _, found), two_deviations = headings[part], 2 * carried[part].deviation
+        end = f"{name}_all_velocities"
+        columns |= {
+            f"{name}_time": (_middles(lengths[part], len(mean)), "min", "since the begin"),
+            f"{name}_means": (mean, "deg", "heading"),
+            end: (found, "deg", "heading"),
+            f"{end}_less_two_deviations": (found - two_deviations, "deg", "as they state them"),
+            f"{end}_and_two_deviations": (found + two_deviations, "deg", "as they state them"),
+        }
+    for row, method in enumerate(METHODS):
+        word = method.replace(" ", "_")
+        spreads = [spread(part[row]) for part in headings]
+        middle, low, high = np.transpose([(s.deviation, s.low, s.high) for s in spreads])
+        columns |= {
+            f"{word}_drawn_at_length": (lengths * (1 + APART * (row - 1)), "s", "of stretches"),
+            f"{word}_deviation": (middle, "deg", "standard deviation of the headings"),
+            f"{word}_deviation_low": (low, "deg", "lower end of its interval of 95 %"),
+            f"{word}_deviation_high": (high, "deg", "upper end of its interval of 95 %"),
+        }
+    by_method = "headings of {} s, a row for each of the three methods".format
+    return DataTable(
+        columns,
+        {
+            "lengths": (lengths, "s", "of restarts, longer and longest stretches"),
+            "restarts": (headings[0], "deg", by_method(lengths[0])),
+            "longer": (headings[1], "deg", by_method(lengths[1])),
+            "stretches": (headings[2], "deg", by_method(lengths[2])),
+            "restart_deviations": (carried[0].deviation, "deg", "as all velocities state them"),
+            "level_rate": (carried[0].level_rate, "rad_per_s", "at which gravity moves"),
+            # the alarm that `align` has in its hand
+            "found_latitude": (means[0].latitude, "deg", "from the means of each restart"),
+            "latitude": (latitude, "deg", "of the place"),
+        },
     )
+
+
+def _middles(seconds: float, count: int) -> FloatArray:
+    """Middles of stretches side by side, s."""
+    return seconds * (np.arange(count, dtype=np.float64) + 0.5)
 
 
 def _means(increments: Increments) -> Alignment:

@@ -1,13 +1,12 @@
 """One record of one unit, calibrated and published twice, with gyro matrices a degree apart."""
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.linalg import inv
 from scipy.ndimage import uniform_filter1d
 from scipy.spatial.transform import Rotation
 
 from driftlab.body_frames import body_frame_rotation, change_body_frame
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.calibration.poses import calibrate_by_poses
 from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import published
@@ -27,34 +26,12 @@ _LEADING = 100
 """Rows of a rest from which IMU-TK takes its gravity, and the least number in a rest."""
 
 
-class TwoCalibrations(NamedTuple):
-    """First index 0: upper triangle, 1: lower triangle, where there is one."""
+def two_calibrations() -> DataTable:
+    """Calibrate the Xsens record as IMU-TK does; compare with what was published of it twice.
 
-    # (2, 3, 3), K of measured = (I + K) true + bias, from the published numbers
-    published_gyro: FloatArray
-    published_accelerometer: FloatArray  # (2, 3, 3), L, likewise
-    gyro: FloatArray  # (2, 3, 3), K by IMU-TK's method, from the record
-    accelerometer: FloatArray  # (2, 3, 3), L, likewise
-    deviation: FloatArray  # (3, 3), of the gyro matrix, by the scatter of its residuals
-    # (3, 3), the gyro matrix in the first axes by rests and weights of this book
-    by_poses: FloatArray
-    by_poses_deviation: FloatArray  # (3, 3), its standard deviations
-    # (3,), rotation vector of the body axes from the first choice to the second, rad
-    rotation: FloatArray
-    # (2, 3, 3), the first published matrices in the axes of the second: gyros, accelerometers
-    carried: FloatArray
-    # (2, 3, 3), (I + K) (I + L)^-1 - I: the gyros against the accelerometers, whatever the axes
-    relative: FloatArray
-    # (2,), half the sums of squares of forces, (m/s^2)^2, and of tilts, rad^2; compare
-    # `IMU_TK_COSTS`
-    costs: FloatArray
-    # (37,), angle of gravity left after each move with the scale of the first gyro for all, rad
-    before: FloatArray
-    after: FloatArray  # (37,), the same, calibrated
-
-
-def two_calibrations() -> TwoCalibrations:
-    """Calibrate the Xsens record as IMU-TK does; compare with what was published of it twice."""
+    Matrices K are those of measured = (I + K) true + bias; of two, the first is that of the upper
+    triangle.
+    """
     log = published("xsens-mti", download=False)
     triads = [imu_tk_triads(triangle) for triangle in range(len(TRIANGLES))]
     accelerometers = np.array([triad[0].error for triad in triads])
@@ -73,21 +50,43 @@ def two_calibrations() -> TwoCalibrations:
     ours_turn = _to_lower_triangle(fit.gyros.error, ours.error)
     weighted = calibrate_by_poses(log, rests(log), body_axes="lower triangle accelerometers")
     surplus = np.linalg.norm(calibrated(still, ours), axis=1) - gravity
-    return TwoCalibrations(
-        gyros,
-        accelerometers,
-        np.array([fit.gyros.error, change_body_frame(fit.gyros.error, ours_turn)]),
-        np.array([ours.error, change_body_frame(ours.error, ours_turn)]),
-        fit.deviation,
-        weighted.imu_errors.gyro_error,
-        weighted.deviations.gyro_error,
-        Rotation.from_matrix(turn.T).as_rotvec(),
-        carried,
-        (np.eye(3) + gyros) @ inv(np.eye(3) + accelerometers) - np.eye(3),
-        np.array([(surplus**2).sum(), (fit.residuals**2).sum()]) / 2,
-        nominal.residuals,
-        fit.residuals,
-    )
+    moves = np.arange(1, len(fit.residuals) + 1)
+    of_two = "of both choices of axes"
+    relative = (np.eye(3) + gyros) @ inv(np.eye(3) + accelerometers) - np.eye(3)
+    our_gyros = [fit.gyros.error, change_body_frame(fit.gyros.error, ours_turn)]
+    our_accelerometers = [ours.error, change_body_frame(ours.error, ours_turn)]
+    costs = np.array([(surplus**2).sum(), (fit.residuals**2).sum()]) / 2
+    poses = "by rests and weights of this book, in the first axes"
+    return DataTable(
+        {
+            "move": (moves, "", "number of the move"),
+            "before": (nominal.residuals, "deg", "angle of gravity left, one scale for all gyros"),
+            "calibrated": (fit.residuals, "deg", "the same, calibrated"),
+            "rms_over_moves": ([0, len(moves) + 1], "", "where the root mean squares are drawn"),
+            "before_rms": ([_rms(nominal.residuals)] * 2, "deg", "root mean square"),
+            "calibrated_rms": ([_rms(fit.residuals)] * 2, "deg", "root mean square"),
+        },
+        {
+            "published_gyro": (gyros, "", f"K {of_two}, published"),
+            "published_accelerometer": (accelerometers, "", f"L {of_two}, published"),
+            "gyro": (np.array(our_gyros), "", f"K {of_two}, by IMU-TK's method"),
+            "accelerometer": (np.array(our_accelerometers), "", f"L {of_two}, likewise"),
+            "deviation": (fit.deviation, "", "of K, by the scatter of its residuals"),
+            "by_poses": (weighted.imu_errors.gyro_error, "", f"K {poses}"),
+            "by_poses_deviation": (weighted.deviations.gyro_error, "", "its standard deviations"),
+            "rotation": (
+                Rotation.from_matrix(turn.T).as_rotvec(), "rad", "from the first axes to the second"
+            ),
+            "carried": (carried, "", "the first published K and L in the second axes"),
+            "relative": (relative, "", "(I + K) (I + L)^-1 - I, the same in all axes"),
+            # half the sums of squares of forces, (m/s^2)^2, and of tilts, rad^2
+            "costs": (costs, "", "of the two fits; compare IMU_TK_COSTS"),
+        },
+    )  # fmt: skip
+
+
+def _rms(angles: FloatArray) -> float:
+    return float(np.sqrt((angles**2).mean()))
 
 
 def _to_lower_triangle(gyro: FloatArray, accelerometer: FloatArray) -> FloatArray:

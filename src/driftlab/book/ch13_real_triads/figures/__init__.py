@@ -5,8 +5,8 @@ from decimal import ROUND_UP, Decimal
 import numpy as np
 from scipy.constants import arcsecond, degree, hour
 
-from driftlab.book.machinery.arrays_table import from_columns
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.publish import table_figure
 from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import PUBLISHED
 
@@ -27,7 +27,7 @@ def _up(differences: FloatArray) -> str:
     return f"{largest.quantize(Decimal(1).scaleb(largest.adjusted() - 1), ROUND_UP):.1e}"
 
 
-def _parked_car_caption(data: experiments.ParkedCar) -> str:
+def _parked_car_caption(data: DataTable) -> str:
     means, two, carried = (experiments.spread(row) for row in data.restarts)
     longer = experiments.spread(data.longer[2])
     return (
@@ -44,24 +44,40 @@ def _parked_car_caption(data: experiments.ParkedCar) -> str:
     )
 
 
-def _allan_caption(data: lines.AllanLines) -> str:
-    walks = [np.degrees(part.terms[1]) * np.sqrt(hour) for part in (data.cheap, data.dear)]
-    forward = np.degrees(data.forward) * np.sqrt(hour)
+def _five_units_caption(data: DataTable) -> str:
+    with_it, without = data.shown(f"angle_left, {experiments.UNIT_NAMES[experiments.ODD]}")[1:3]
+    return (
+        "Does a published table follow from its data? By the authors' own rule for a rest it "
+        "does: no entry of five gyro matrices is off by more than "
+        f"{_up(data.largest_difference[:, 0])}. With unit {experiments.ODD + 1} the rule also "
+        f"finds a rest of {data.pause[1] - data.pause[0]} samples in a hand that still settles; "
+        f"without it what is left falls from {with_it:.2f} to {without:.2f} degrees, and the "
+        f"matrix moves by {data.moved:.4f}: entry by entry up to {data.moved_in_deviations[0]:.1f} "
+        f"standard deviations of the fit with that rest, and {data.moved_in_deviations[1]:.1f} of "
+        "the fit without. "
+        f"{_credit(experiments.UNITS[0])}"
+    )
+
+
+def _allan_caption(data: DataTable) -> str:
+    root_hour = np.sqrt(hour)
+    walks = [np.degrees(terms[1]) * root_hour for terms in (data.cheap_terms, data.dear_terms)]
+    forward = np.degrees(data.forward) * root_hour
     says = [
         "Allan deviation of two gyros at rest, with 68 % intervals and the noise terms that fit "
         "(dashes: upper bounds of those that are not seen)."
     ]
     if walks[0] > 0:
         says.append(f"The cheap one walks by {walks[0]:.1f} degrees in the root of an hour.")
-    if np.isfinite(bound := data.cheap.bounds[2] / (degree / hour)):
+    if np.isfinite(bound := data.cheap_bounds[2] / (degree / hour)):
         says.append(
-            f"A rest of {data.cheap.length:.0f} seconds only says that its bias instability is "
+            f"A rest of {data.cheap_length:.0f} seconds only says that its bias instability is "
             f"below {bound:.0f} degrees per hour."
         )
-    if data.dear.terms[0] > 0:
+    if data.dear_terms[0] > 0:
         says.append(
             "The dear one's line of slope −1 stands for an angle that is off by "
-            f"{data.dear.terms[0] / arcsecond:.1f} arc seconds and does not add up. The rounding "
+            f"{data.dear_terms[0] / arcsecond:.1f} arc seconds and does not add up. The rounding "
             f"of its pulses is {lines.ROUNDING / arcsecond:.3f}; the car rocks by "
             f"{data.rocking / arcsecond:.1f}. Without that line the best fit misses a point by a "
             f"factor of {data.missed[0]:.1f}, with it by {data.missed[1]:.1f}."
@@ -77,16 +93,15 @@ def _allan_caption(data: lines.AllanLines) -> str:
 
 
 FIGURES = (
-    FigureDefinition(
+    table_figure(
         "13-hand-turns",
         experiments.hand_turns,
         hand_turns.draw,
-        hand_turns.columns,
         lambda data: (
             "A unit on a table, turned once about each axis by hand. Added up, the angles of the "
-            f"two gyros across the axis reach {np.degrees(np.abs(data.added[:, -1])).max():.1f} "
+            f"two gyros across the axis reach {data.shown('added_up'):.1f} "
             "degrees (open marks). As a rotation they go round a circle and come back to "
-            f"{np.degrees(np.abs(data.path[:, -1])).max():.1f} degrees of where they began "
+            f"{data.shown('come_back'):.1f} degrees of where they began "
             "(filled): what stands across the axis adds up to nothing. What is left along the "
             f"axis is Larin's estimate, {', '.join(f'{x:.5f}' for x in data.estimate)}, from rest "
             "to rest. The publishers' sections are shorter and move it by up to "
@@ -94,17 +109,15 @@ FIGURES = (
             f"differs by at most {_up(data.by_sections - data.ferraris)}: the two "
             "share their cut. On the right, by how much each source may move an estimate; the "
             "heading at the end no sensor saw, and a standard deviation of "
-            f"{np.degrees(data.stop_deviation):.1f} degrees is assumed for it. "
+            f"{data.shown('stop_deviation'):.1f} degrees is assumed for it. "
             f"{_credit('ferraris-session')}"
         ),
-        from_columns(experiments.HandTurns),
-        ("ferraris-session",),
+        recordings=("ferraris-session",),
     ),
-    FigureDefinition(
+    table_figure(
         "13-two-calibrations",
         experiments.two_calibrations,
         two_calibrations.draw,
-        two_calibrations.columns,
         lambda data: (
             "One record of one unit, calibrated and published twice. Drawn are the sensitive axes "
             f"as published, errors {two_calibrations.MAGNIFIED} times too large. The gyro matrices "
@@ -113,50 +126,31 @@ FIGURES = (
             "all of the first into the second, within "
             f"{np.abs(data.carried[0] - data.published_gyro[1]).max():.0e}: the two triads stand "
             "to each other the same way in both. On the right, what is left after each of "
-            f"{len(data.after)} moves, fitted anew by IMU-TK's method; the gyro matrix comes "
+            f"{len(data.move)} moves, fitted anew by IMU-TK's method; the gyro matrix comes "
             f"within {_up(data.gyro - data.published_gyro)} of the published one, its own "
             f"deviation being up to {data.deviation.max():.0e}. {_credit('xsens-mti')}"
         ),
-        from_columns(experiments.TwoCalibrations),
-        ("xsens-mti",),
+        recordings=("xsens-mti",),
     ),
-    FigureDefinition(
+    table_figure(
         "13-five-units",
         experiments.five_units,
         five_units.draw,
-        five_units.columns,
-        lambda data: (
-            "Does a published table follow from its data? By the authors' own rule for a rest it "
-            f"does: no entry of five gyro matrices is off by more than {_up(data.difference[0])}. "
-            "With unit "
-            f"{experiments.ODD + 1} the rule also finds a rest of "
-            f"{data.pause[1] - data.pause[0]:.0f} samples in a hand that still settles; without it "
-            f"what is left falls from {np.degrees(data.residual[1, experiments.ODD]):.2f} to "
-            f"{np.degrees(data.residual[2, experiments.ODD]):.2f} degrees, and the matrix moves by "
-            f"{data.moved.max():.4f}: entry by entry up to {data.moved_in_deviations[0]:.1f} "
-            "standard deviations of the fit with that rest, and "
-            f"{data.moved_in_deviations[1]:.1f} of the fit without. "
-            f"{_credit(experiments.UNITS[0])}"
-        ),
-        from_columns(experiments.FiveUnits),
-        experiments.UNITS,
+        _five_units_caption,
+        recordings=experiments.UNITS,
     ),
-    FigureDefinition(
+    table_figure(
         "13-parked-car",
         experiments.parked_car,
         parked_car.draw,
-        parked_car.columns,
         _parked_car_caption,
-        from_columns(experiments.ParkedCar),
-        ("laser-gyro",),
+        recordings=("laser-gyro",),
     ),
-    FigureDefinition(
+    table_figure(
         "13-allan-plots",
         lines.allan_lines,
         allan_plots.draw,
-        allan_plots.columns,
         _allan_caption,
-        allan_plots.restore,
-        ("mpu9150-1", "laser-gyro"),
+        recordings=("mpu9150-1", "laser-gyro"),
     ),
 )

@@ -1,15 +1,15 @@
 """Which line is which: a simulated record, its Allan deviation, and the lines of five terms."""
 
 import numpy as np
-from scipy.constants import degree, hour
 
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.drawing import Rows
 from driftlab.book.machinery.picture import BLACK, SERIES, Picture
 from driftlab.checks import FloatArray
 from driftlab.noise_terms import TERMS
 
-from ..experiments.simulated_allan import TIMES, SimulatedAllan
+from ..experiments.simulated_allan import TIMES
 
-UNIT = degree / hour
 WORDS = (
     "quantisation",
     "angle random walk",
@@ -21,7 +21,7 @@ SHORT_WORDS = ("quantisation", "angle walk", "bias instability", "rate walk", "r
 """For a column, where the long ones would reach into the points."""
 
 
-class AllanPicture(Picture[SimulatedAllan]):
+class AllanPicture(Picture[DataTable]):
     """Points with their intervals, five lines with their names, and their sum."""
 
     size = (10.5, 3.9)
@@ -39,12 +39,15 @@ class AllanPicture(Picture[SimulatedAllan]):
             else "simulated record, its 68 % intervals, and the lines of its noise"
         )
         self.lines = [
-            self.line(panel, color=SERIES[i]["color"], linewidth=1.3) for i in range(len(TERMS))
+            self.curve(panel, "line_time", f"line, {name}", color=series["color"], linewidth=1.3)
+            for name, series in zip(TERMS, SERIES, strict=False)
         ]
-        self.total = self.line(panel, color=BLACK, linewidth=0.8, linestyle=":")
-        self.bars = self.line(panel, color=BLACK, linewidth=1.1)
+        self.curve(panel, "line_time", "total", color=BLACK, linewidth=0.8, linestyle=":")
+        ends = [Rows("time", end) for end in ("lower", "upper")]
+        self.bars = self.record(panel, self.line(panel, color=BLACK, linewidth=1.1), ends)
         size = 2.5 if self.sheet.on_paper else 4
-        self.points = self.line(panel, color=BLACK, marker="o", markersize=size, linestyle="none")
+        points = {"color": BLACK, "marker": "o", "markersize": size, "linestyle": "none"}
+        self.curve(panel, "time", "deviation", **points)
         self.names = [
             self.words(
                 panel,
@@ -60,24 +63,21 @@ class AllanPicture(Picture[SimulatedAllan]):
         self.silence = self.words(panel, ha="center", va="center")
         self.silence.set_position((np.sqrt(TIMES[0] * TIMES[-1]), 3.0))
 
-    def update(self, data: SimulatedAllan) -> None:
-        nothing = not data.allan.deviation.any()
+    def update(self, table: DataTable) -> None:
+        self.show(table)
+        nothing = not table.deviation.any()
         self.silence.set_text("no noise: all means are the same" if nothing else "")
-        lines = data.noise.lines(TIMES)
         known = SHORT_WORDS if self.sheet.narrow else WORDS
         for name, words, line, text in zip(TERMS, known, self.lines, self.names, strict=True):
-            values = lines[name] / UNIT
+            values = table.shown(f"line, {name}")
             shown = values.any()
-            line.set_data(TIMES, values if shown else np.full_like(TIMES, np.nan))
+            line.set_visible(shown)
             text.set_text(words if shown else "")
             if shown:
                 text.set_position(_free_place(values, name))
-        found = data.allan
-        times = found.averaging_times
-        ends = np.stack([found.lower, found.upper, np.full_like(times, np.nan)], axis=-1) / UNIT
-        self.bars.set_data(np.repeat(times, 3), ends.ravel())
-        self.points.set_data(times, found.deviation / UNIT)
-        self.total.set_data(TIMES, data.noise.deviation(TIMES) / UNIT)
+        lower, upper = table.shown("lower"), table.shown("upper")
+        ends = np.stack([lower, upper, np.full_like(lower, np.nan)], axis=-1)
+        self.bars.set_data(np.repeat(table.time, 3), ends.ravel())
 
 
 def _free_place(values: FloatArray, name: str) -> tuple[float, float]:
