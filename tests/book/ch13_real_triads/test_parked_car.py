@@ -6,13 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.constants import degree, hour
-from scipy.stats import chi2
+from scipy.stats import chi2, f, pearsonr
 
 from driftlab.book.ch10_gyrocompass_at_work.experiments import PAPER_DEVIATION, PAPER_SPREAD
 from driftlab.book.ch13_real_triads.experiments.parked_car import (
     HEADER,
-    chance_of_paired_ratio,
-    chance_of_ratio,
     parked_car,
     spread,
 )
@@ -21,9 +19,26 @@ from driftlab.book.machinery.figure_table import read_table
 from driftlab.book.machinery.publish import KEPT
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.trials import normal_ranges, range_over_deviation
+from driftlab.vectors import wrap_angle
 from support import recording_or_skip
 
 TABLE = Path(__file__).parents[3] / "figures" / "13-parked-car.csv"
+
+
+def chance_of_ratio(first: float, second: float, freedom: int) -> float:
+    """Chance that one true deviation gives two independent samples with such deviations."""
+    ratio = max(first / second, second / first) ** 2
+    return float(2 * f.sf(ratio, freedom, freedom))
+
+
+def chance_of_paired_ratio(first: np.ndarray, second: np.ndarray) -> float:
+    """Chance that pairs with one true deviation show so different ones, by Pitman and Morgan.
+
+    The covariance of sums and differences is the difference of the variances, whatever the two have
+    in common.
+    """
+    one, two = wrap_angle(np.stack([first, second]) - first[0])
+    return float(pearsonr(one + two, one - two).pvalue)
 
 
 @cache

@@ -75,10 +75,9 @@ def _span(move: HandTurn | NearTurn) -> FloatArray:
 
 def _caption(table: DataTable) -> str:
     marks = table.turn.count("?")
-    missed = {
-        0: "",
-        1: " The question mark is at a move that nearly was a turn.",
-    }.get(marks, f" The {marks} question marks are at moves that nearly were turns.")
+    missed = {0: "", 1: " The question mark is at a move that nearly was a turn."}.get(
+        marks, f" The {marks} question marks are at moves that nearly were turns."
+    )
     return (
         f"What the three gyros said in {table.time[-1]:.0f} seconds. The bands are the "
         f"{len(table.rest_begin)} stretches that count as rests. Between them are "

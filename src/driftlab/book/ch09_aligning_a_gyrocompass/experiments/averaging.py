@@ -12,13 +12,7 @@ from scipy.constants import degree, hour
 
 from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
-from driftlab.checks import (
-    FloatArray,
-    finite_array,
-    finite_number,
-    positive_number,
-    whole_number,
-)
+from driftlab.checks import FloatArray, finite_array, finite_number, positive_number, whole_number
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.noise import GyroNoise
@@ -74,10 +68,8 @@ def heading_spread_by_window(
     if not 0 < quiet <= noisy:
         raise ValueError(f"white: expected a quiet gyro and a noisier one, got {white!r}.")
     part = positive_number(slow, "slow") / DEGREE_PER_HOUR
-    marked = (
-        whole_number(moving_average, "moving_average"),
-        whole_number(rival_window, "rival_window"),
-    )
+    own_window = whole_number(moving_average, "moving_average")
+    marked = own_window, whole_number(rival_window, "rival_window")
     count, place = whole_number(runs, "runs", least=2), finite_number(latitude, "latitude")
     windows = np.array(sorted({1, 3, 10, 100, 300, 2000, 6000, 20000, *marked}))
     level = EARTH_RATE * np.cos(place)
@@ -98,7 +90,7 @@ def heading_spread_by_window(
     return DataTable(
         {
             "samples": (windows.astype(float), "", "in a mean, ten a second"),
-            "moving_average": ([marked[0]], "", "samples in the mean that is marked"),
+            "moving_average": ([own_window], "", "samples in the mean that is marked"),
             "rival_window": ([marked[1]], "", "samples in the mean that is marked for the rival"),
             "spread": (
                 spread, "deg", "deviation of the heading, with white noise and a slow part",

@@ -43,10 +43,8 @@ def alignment_budget(
     Biases are given forward, up, right. In a vertical body heading and roll have no errors of their
     own; theirs are then NaN.
     """
-    gyro_biases, accelerometer_biases = (
-        finite_array(gyro_bias, "gyro_bias", 3),
-        finite_array(accelerometer_bias, "accelerometer_bias", 3),
-    )
+    gyro_biases = finite_array(gyro_bias, "gyro_bias", 3)
+    accelerometer_biases = finite_array(accelerometer_bias, "accelerometer_bias", 3)
     place = finite_number(latitude, "latitude")
     headings = np.radians(np.arange(-180.0, 180.1, 5.0))
     every = np.append(headings, finite_number(heading, "heading"))

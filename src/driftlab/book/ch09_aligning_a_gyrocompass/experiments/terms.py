@@ -16,11 +16,7 @@ from driftlab.vectors import wrap_angle
 
 from .budget import ACCELEROMETER_BIAS, GYRO_BIAS, PITCH
 
-FIXED = {
-    "heading": float(np.radians(60.0)),
-    "pitch": PITCH,
-    "latitude": SARATOV_LATITUDE,
-}
+FIXED = {"heading": float(np.radians(60.0)), "pitch": PITCH, "latitude": SARATOV_LATITUDE}
 """Values of the two quantities that do not vary, rad."""
 GRIDS: dict[str, FloatArray] = {
     "heading": np.radians(np.linspace(-180, 180, 73)),
@@ -28,8 +24,6 @@ GRIDS: dict[str, FloatArray] = {
     "latitude": np.radians(np.linspace(-85, 85, 69)),
 }
 """Values of the quantity that varies, rad."""
-
-
 LABELS = (
     "east gyro",
     "east acc. by tan pitch",
@@ -58,27 +52,21 @@ def alignment_terms(
     for name in ("pitch", "latitude"):
         if abs(fixed[name]) >= np.pi / 2:
             raise ValueError(f"{name}: expected an angle within pi/2, got {fixed[name]:g}.")
-    gyro, accelerometer = (
-        finite_array(gyro_bias_nue, "gyro_bias_nue", 3),
-        finite_array(accelerometer_bias_nue, "accelerometer_bias_nue", 3),
-    )
+    gyro = finite_array(gyro_bias_nue, "gyro_bias_nue", 3)
+    accelerometer = finite_array(accelerometer_bias_nue, "accelerometer_bias_nue", 3)
     columns: dict[str, tuple[Any, ...]] = {}
     for name, grid in GRIDS.items():
         at: dict[str, Any] = {**fixed, name: grid}
         attitude = from_euler_angles(at["heading"], at["pitch"], 0.0)
         rate, force = static_imu(attitude, at["latitude"])
         to_body = conjugate(attitude)
-        found = align(
-            rate + rotate(to_body, gyro),
-            force + rotate(to_body, accelerometer),
-            heading_tolerance=np.inf,
-        )
-        gap = found.heading - at["heading"]
+        wrong = rate + rotate(to_body, gyro), force + rotate(to_body, accelerometer)
+        found = align(*wrong, heading_tolerance=np.inf)
         formula = alignment_errors(at["heading"], at["pitch"], at["latitude"], gyro, accelerometer)
         surplus = formula.heading_terms[:, 2] * (np.tan(at["latitude"]) - 1)
         errors = {
             **dict(zip(LABELS, formula.heading_terms.T, strict=True)),
-            "exact": wrap_angle(gap),
+            "exact": wrap_angle(found.heading - at["heading"]),
             "as in the copy": formula.heading + surplus,
             "corrected": formula.heading,
         }

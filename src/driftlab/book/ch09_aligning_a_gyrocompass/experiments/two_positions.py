@@ -56,12 +56,7 @@ def two_positions(
     change = np.sqrt(change**2 - 2 * walk**2 / half)
     by_turn_formula = [
         two_position_deviation(
-            place,
-            2.0 * half,
-            walk,
-            turns,
-            turn_error=wrong,
-            gyro_bias_change=change,
+            place, 2.0 * half, walk, turns, turn_error=wrong, gyro_bias_change=change
         )
         for wrong in (0.0, wrong_turn)
     ]

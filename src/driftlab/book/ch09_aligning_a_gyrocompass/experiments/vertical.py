@@ -7,13 +7,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
-from driftlab.checks import (
-    FloatArray,
-    finite_array,
-    finite_number,
-    positive_number,
-    whole_number,
-)
+from driftlab.checks import FloatArray, finite_array, finite_number, positive_number, whole_number
 from driftlab.frames import from_euler_angles, to_euler_angles
 from driftlab.gyrocompass.alignment import align
 from driftlab.motion.vehicle import static_imu
@@ -71,11 +65,8 @@ def errors_over_the_vertical(
         return np.asarray(np.sqrt(np.mean(wrap_angle(gap) ** 2, axis=0)))
 
     away = rotation_angle(multiply(found.attitude, conjugate(attitude)))
-    large = align(
-        rate + ERRORS_SHOWN * GYRO_BIAS,
-        force + ERRORS_SHOWN * ACCELEROMETER_BIAS,
-        heading_tolerance=np.inf,
-    )
+    much = rate + ERRORS_SHOWN * GYRO_BIAS, force + ERRORS_SHOWN * ACCELEROMETER_BIAS
+    large = align(*much, heading_tolerance=np.inf)
 
     def angle(values: FloatArray, meaning: str) -> tuple[Any, ...]:
         return values, "deg", meaning, (), 7  # where the bow points up, roundings differ by machine

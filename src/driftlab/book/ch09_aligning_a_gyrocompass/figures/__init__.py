@@ -7,13 +7,7 @@ from driftlab.book.machinery.publish import table_figure
 from driftlab.checks import FloatArray
 
 from .. import experiments
-from . import (
-    alignment_budget,
-    alignment_terms,
-    averaging_window,
-    over_the_vertical,
-    two_positions,
-)
+from . import alignment_budget, alignment_terms, averaging_window, over_the_vertical, two_positions
 
 
 def _largest(values: FloatArray) -> float:
@@ -86,10 +80,7 @@ FIGURES = (
         ),
     ),
     table_figure(
-        "09-alignment-terms",
-        experiments.alignment_terms,
-        alignment_terms.draw,
-        _terms_caption,
+        "09-alignment-terms", experiments.alignment_terms, alignment_terms.draw, _terms_caption
     ),
     table_figure(
         "09-over-the-vertical",
@@ -104,9 +95,6 @@ FIGURES = (
         _averaging_caption,
     ),
     table_figure(
-        "09-two-positions",
-        experiments.two_positions,
-        two_positions.draw,
-        _positions_caption,
+        "09-two-positions", experiments.two_positions, two_positions.draw, _positions_caption
     ),
 )

@@ -1,6 +1,7 @@
 """What each sensor error does to the heading of an aligned compass: by term, and exactly."""
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
@@ -59,33 +60,24 @@ class AlignmentBudgetPicture(Picture[DataTable]):
             legend_below_all(self.figure, self.sheet, right, ncols=3, column=3)
         else:
             legend_above(right, 3)
-        self.hatched, self.reasons = [], []
+        self.nowhere: list[Artist] = []  # over each panel a hatched sheet, and why
         for panel in (left, right):
             sheet = Rectangle((0, 0), 1, 1, transform=panel.transAxes, facecolor="#f4f4f4",
                               edgecolor="#9a9a9a", hatch="//", linewidth=0,
                               label=GUIDE)  # fmt: skip
-            panel.add_patch(sheet)
-            self.moving.append(sheet)
-            self.hatched.append(sheet)
-            reason = self.words(
-                panel,
-                transform=panel.transAxes,
-                ha="center",
-                va="center",
-                fontsize="x-large",
-                bbox={"facecolor": "white", "edgecolor": "none"},
-            )
-            reason.set_position((0.5, 0.5))
-            self.reasons.append(reason)
+            reason = panel.text(
+                0.5, 0.5, "no heading exists here", transform=panel.transAxes, ha="center",
+                va="center", fontsize="x-large", bbox={"facecolor": "white", "edgecolor": "none"},
+            )  # fmt: skip
+            self.nowhere += [panel.add_patch(sheet), reason]
+        self.moving += self.nowhere
 
     def update(self, table: DataTable) -> None:
         self.show(table)
         # A body that points to the zenith or the nadir heads nowhere: no error, and no zero either.
         nowhere = bool(np.isnan(table.error).all())
-        for sheet, reason in zip(self.hatched, self.reasons, strict=True):
-            sheet.set_visible(nowhere)
-            reason.set_text("no heading exists here" if nowhere else "")
-            reason.set_visible(nowhere)
+        for artist in self.nowhere:
+            artist.set_visible(nowhere)
         for bar, value in zip(self.bars, table.shown("error"), strict=True):
             bar.set_width(value)
         self.set_reach(self.left, "x", table.shown("error"), STEPS)

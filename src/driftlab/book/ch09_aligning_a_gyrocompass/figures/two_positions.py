@@ -24,12 +24,10 @@ def draw(drawing: Drawing) -> None:
     left.set(yscale="log", xlim=(0, 185), xticks=range(0, 181, 30), xlabel="turn, degrees")
     left.set(title=f"{table.shown('duration'):g} minutes, over the turn")
     left.set(ylabel="spread of the heading, degrees")
-    words = "white noise alone"
-    drawing.curve(
-        right, "time", "white_noise_alone", color=GREY, linewidth=0.9, linestyle=":", label=words
-    )
-    right.text(table.time[-2], table.shown("white_noise_alone")[-2] * 0.9, words,
-               fontsize="small", color=GREY, ha="right", va="top")  # fmt: skip
+    name, words = "white_noise_alone", "white noise alone"
+    drawing.curve(right, "time", name, color=GREY, linewidth=0.9, linestyle=":", label=words)
+    right.text(table.time[-2], table.shown(name)[-2] * 0.9, words, fontsize="small", color=GREY,
+               ha="right", va="top")  # fmt: skip
     by_time = _pairs(drawing, right, "time")
     right.set(xscale="log", yscale="log", xlabel="time of the alignment, s", title="over the time")
     for panel, marks in ((left, by_turn), (right, by_time)):
@@ -40,12 +38,8 @@ def draw(drawing: Drawing) -> None:
         panel.yaxis.set_major_formatter("{x:g}")
         panel.yaxis.set_minor_formatter("")
         below = drawing.sheet.narrow and panel is right  # where nothing lies in a low panel
-        panel.legend(
-            handles=marks,
-            loc="lower left" if below else "upper right",
-            fontsize="small",
-            labelspacing=0.3,
-        )
+        panel.legend(handles=marks, loc="lower left" if below else "upper right",
+                     fontsize="small", labelspacing=0.3)  # fmt: skip
 
 
 def _pairs(drawing: Drawing, panel: Axes, over: str) -> list[Line2D]:

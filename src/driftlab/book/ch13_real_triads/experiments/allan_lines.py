@@ -138,14 +138,10 @@ def _from(record: tuple[FloatArray, float], shortest: float, name: str) -> Allan
 
 def _terms(fit: NoiseFit) -> FloatArray:
     """Coefficients of the five terms, their deviations, and bounds of those not seen: (3, 5)."""
-    found = (
-        astuple(fit.terms),
-        *(
-            [each.get(name, np.nan) for name in TERMS]
-            for each in (fit.deviations, fit.upper_bounds)
-        ),
+    told = fit.deviations, fit.upper_bounds
+    return np.array(
+        [astuple(fit.terms), *([each.get(name, np.nan) for name in TERMS] for each in told)]
     )
-    return np.array(found)
 
 
 def _drawn(allan: AllanDeviation, fit: NoiseFit, begin: float) -> dict[str, tuple[Any, ...]]:

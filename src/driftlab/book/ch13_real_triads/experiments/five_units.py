@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.linalg import norm
 from numpy.typing import NDArray
 from scipy.ndimage import maximum_filter1d
 from scipy.optimize import least_squares
@@ -71,59 +72,51 @@ def five_units() -> DataTable:
     tables = [imu_calib_triads(unit) for unit in range(len(UNITS))]
     fits = [[fit_unit(log, way) for log in logs] for way in WAYS]
     fits.append([weighted_fit(log) for log in logs])
-    own = np.array([_with_table(log, table) for log, table in zip(logs, tables, strict=True)])
+    own = np.array([*map(_with_table, logs, tables)])
     cuts = [authors_rests(log, WAYS[0]) for log in logs]
-    then = [_before_the_fix(log, rows) for log, rows in zip(logs, cuts, strict=True)]
     pause = min(cuts[ODD], key=lambda rows: rows[1] - rows[0])
     around = slice(pause[0] - 330, pause[1] + 300)
-    interval = logs[ODD].interval
+    shortest = [min(end - begin for begin, end in rows) for rows in cuts]
+    log, interval = logs[ODD], logs[ODD].interval
     gyro, deviation = (
         np.array([[getattr(fit, name) for fit in row] for row in fits])
         for name in ("gyro", "deviation")
     )
-    off = np.abs(gyro - [table[1].error for table in tables])
+    theirs = np.array([[triad.error for triad in table] for table in tables])
+    off = np.abs(gyro - theirs[:, 1])
     moved = np.abs(gyro[PAUSE[1], ODD] - gyro[PAUSE[0], ODD])
-    today = np.array([fit.accelerometer for fit in fits[0]])
+    today, then = [fit.accelerometer for fit in fits[0]], [*map(_before_the_fix, logs, cuts)]
     residual = np.array([[_rms(fit.angles) for fit in row] for row in fits])
     authors = "in the authors' way"
     return DataTable(
         {
             "time": (interval * np.arange(around.start, around.stop), "s", "about the pause"),
-            "rate": (
-                np.linalg.norm(logs[ODD].gyro[around], axis=1), "rad_per_s", "size of it, unit 2"
-            ),
+            "rate": (norm(log.gyro[around], axis=1), "rad_per_s", "size of it, unit 2"),
             "quiet_below": ([QUIET], "rad_per_s", "rate at which the authors see a rest"),
             "rest_begins": ([interval * pause[0]], "s", "shortest rest of unit 2"),
             "rest_ends": ([interval * pause[1]], "s", "shortest rest of unit 2"),
             "way": (WAY_NAMES, "", "to cut and fit a record"),
             "largest_difference": (
-                off.max(axis=(-2, -1)).T, "", "of an entry of K from the published one", UNIT_NAMES
+                _largest(off).T, "", "of an entry of K from the published one", UNIT_NAMES
             ),
             "angle_left": (residual.T, "deg", "after a move, root mean square", UNIT_NAMES),
         },
         {
             "gyro": (gyro, "", "K of measured = (I + K) true + bias, by way and unit"),
             "deviation": (deviation, "", "its standard deviations"),
-            "in_deviations": (
-                (off / deviation).max(axis=(-2, -1)), "", "largest difference from the published K"
-            ),
-            "published_accelerometer": (
-                np.array([table[0].error for table in tables]), "", "L of each unit"
-            ),
-            "accelerometer": (today, "", f"L {authors}, by all three components"),
+            "in_deviations": (_largest(off / deviation), "", "largest difference in these"),
+            "published_accelerometer": (theirs[:, 0], "", "L of each unit"),
+            "accelerometer": (np.array(today), "", f"L {authors}, by all three components"),
             "before_the_fix": (np.array(then), "", "L with the code of the year of the table"),
-            "moves": (np.array([[len(fit.angles) for fit in row] for row in fits]), "", "by way"),
+            "moves": ([[len(fit.angles) for fit in row] for row in fits], "", "by way and unit"),
             "published_residual": (own[:, 0], "deg", f"left by the published numbers, {authors}"),
             "with_own_bias": (own[:, 1], "deg", "the same with the best bias; theirs is rounded"),
-            "shortest": (
-                np.array([min(end - begin for begin, end in rows) for rows in cuts]), "",
-                f"samples in the shortest rest {authors}",
-            ),
+            "shortest": (np.array(shortest), "", f"samples in the shortest rest {authors}"),
             "angles": (fits[0][ODD].angles, "deg", f"left after each move of unit 2, {authors}"),
             "pause": (np.array(pause), "", "rows of its shortest rest"),
             "moved": (moved.max(), "", "change of its K without this rest"),
             "moved_in_deviations": (
-                (moved / deviation[PAUSE, ODD]).max(axis=(-2, -1)), "", "with it and without"
+                _largest(moved / deviation[PAUSE, ODD]), "", "with it and without"
             ),
         },
     )  # fmt: skip
@@ -165,7 +158,7 @@ def _before_the_fix(log: Recording, cuts: list[tuple[int, int]]) -> FloatArray:
 
     def surplus(unknowns: FloatArray) -> FloatArray:
         true = calibrated(force, triad(unknowns))
-        size = np.linalg.norm(true, axis=1, keepdims=True)
+        size = norm(true, axis=1, keepdims=True)
         return (true[:, :2] * (gravity / size - 1)).ravel()
 
     return triad(least_squares(surplus, np.zeros(9), method="lm").x).error
@@ -184,7 +177,7 @@ def authors_rests(log: Recording, way: Way) -> list[tuple[int, int]]:
     A row is still if the rate stays below the bound for the time of settling before it and after;
     moves are then widened by a few samples, so that rests lose as many.
     """
-    moving = np.linalg.norm(log.gyro, axis=1) >= way.quiet
+    moving = norm(log.gyro, axis=1) >= way.quiet
     still = ~maximum_filter1d(moving, 2 * way.settled + 1)
     edges = np.flatnonzero(np.diff(still, prepend=False, append=False))
     found = [(b + _WIDENED, e - _WIDENED) for b, e in edges.reshape(-1, 2).tolist()]
@@ -205,6 +198,10 @@ def _with_table(log: Recording, table: tuple[Triad, Triad]) -> tuple[float, floa
         for b in (gyros.bias, None)
     )
     return _rms(as_published.residuals), _rms(refitted.residuals)
+
+
+def _largest(matrices: FloatArray) -> FloatArray:
+    return np.asarray(matrices.max(axis=(-2, -1)))
 
 
 def _rms(angles: FloatArray) -> float:

@@ -117,11 +117,7 @@ def _rests(log: Recording, parts: list[slice]) -> Rests:
 
 
 def _turn(
-    log: Recording,
-    axis: int,
-    section: tuple[int, int],
-    stops: list[tuple[int, int]],
-    rests: Rests,
+    log: Recording, axis: int, section: tuple[int, int], stops: list[tuple[int, int]], rests: Rests
 ) -> dict[str, FloatArray]:
     """What one turn about a body axis gives, by name."""
     begin = max(last for _, last in stops if last <= section[0])

@@ -179,27 +179,3 @@ def spread(headings: FloatArray) -> Spread:
     deviation = float(values.std(ddof=1))
     low, high = deviation * np.sqrt(freedom / chi_squared_quantile([0.975, 0.025], freedom))
     return Spread(float(values.mean()), deviation, float(np.ptp(values)), float(low), float(high))
-
-
-def chance_of_ratio(first: float, second: float, freedom: int) -> float:
-    """Chance that one true deviation gives two samples whose deviations differ by such a factor.
-
-    For samples that have nothing to do with each other; for two methods on the same stretches there
-    is `chance_of_paired_ratio`.
-    """
-    from scipy.stats import f  # takes a third of a second to be loaded
-
-    ratio = max(first / second, second / first) ** 2
-    return float(2 * f.sf(ratio, freedom, freedom))
-
-
-def chance_of_paired_ratio(first: FloatArray, second: FloatArray) -> float:
-    """Chance that pairs with one true deviation show so different ones, by Pitman and Morgan.
-
-    The covariance of sums and differences is the difference of the variances, whatever the two have
-    in common. Pairs are normal, and as many as the headings (n,) of each.
-    """
-    from scipy.stats import pearsonr  # takes a third of a second to be loaded
-
-    pairs = wrap_angle(np.stack([first, second]) - first[0])
-    return float(pearsonr(pairs[0] + pairs[1], pairs[0] - pairs[1]).pvalue)

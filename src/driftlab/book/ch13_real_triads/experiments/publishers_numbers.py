@@ -99,8 +99,7 @@ def imu_calib_triads(unit: int) -> tuple[Triad, Triad]:
     return (
         Triad(_triangular(accelerometers), _column(accelerometers, "b", 1.0)),
         Triad(
-            seen @ (np.eye(3) + _triangular(gyros)) - np.eye(3),
-            seen @ _column(gyros, "b", degree),
+            seen @ (np.eye(3) + _triangular(gyros)) - np.eye(3), seen @ _column(gyros, "b", degree)
         ),
     )
 

@@ -1,7 +1,6 @@
 """One record of one unit, calibrated and published twice, with gyro matrices a degree apart."""
 
 import numpy as np
-from numpy.linalg import inv
 from scipy.ndimage import uniform_filter1d
 from scipy.spatial.transform import Rotation
 
@@ -52,7 +51,6 @@ def two_calibrations() -> DataTable:
     surplus = np.linalg.norm(calibrated(still, ours), axis=1) - gravity
     moves = np.arange(1, len(fit.residuals) + 1)
     of_two = "of both choices of axes"
-    relative = (np.eye(3) + gyros) @ inv(np.eye(3) + accelerometers) - np.eye(3)
     our_gyros = [fit.gyros.error, change_body_frame(fit.gyros.error, ours_turn)]
     our_accelerometers = [ours.error, change_body_frame(ours.error, ours_turn)]
     costs = np.array([(surplus**2).sum(), (fit.residuals**2).sum()]) / 2
@@ -78,7 +76,6 @@ def two_calibrations() -> DataTable:
                 Rotation.from_matrix(turn.T).as_rotvec(), "rad", "from the first axes to the second"
             ),
             "carried": (carried, "", "the first published K and L in the second axes"),
-            "relative": (relative, "", "(I + K) (I + L)^-1 - I, the same in all axes"),
             # half the sums of squares of forces, (m/s^2)^2, and of tilts, rad^2
             "costs": (costs, "", "of the two fits; compare IMU_TK_COSTS"),
         },

@@ -10,13 +10,7 @@ from driftlab.noise_terms import TERMS
 
 from ..experiments.simulated_allan import TIMES
 
-WORDS = (
-    "quantisation",
-    "angle random walk",
-    "bias instability",
-    "rate random walk",
-    "rate ramp",
-)
+WORDS = ("quantisation", "angle random walk", "bias instability", "rate random walk", "rate ramp")
 SHORT_WORDS = ("quantisation", "angle walk", "bias instability", "rate walk", "rate ramp")
 """For a column, where the long ones would reach into the points."""
 
@@ -48,18 +42,11 @@ class AllanPicture(Picture[DataTable]):
         size = 2.5 if self.sheet.on_paper else 4
         points = {"color": BLACK, "marker": "o", "markersize": size, "linestyle": "none"}
         self.curve(panel, "time", "deviation", **points)
+        style = {"fontsize": "medium", "va": "bottom", "clip_on": True}
         self.names = [
-            self.words(
-                panel,
-                fontsize="medium",
-                color=SERIES[i]["color"],
-                va="bottom",
-                clip_on=True,
-                ha="right" if i > 2 else "left",
-            )
-            for i in range(len(TERMS))
+            self.words(panel, color=line.get_color(), ha="right" if i > 2 else "left", **style)
+            for i, line in enumerate(self.lines)
         ]
-
         self.silence = self.words(panel, ha="center", va="center")
         self.silence.set_position((np.sqrt(TIMES[0] * TIMES[-1]), 3.0))
 
