@@ -44,18 +44,18 @@ def turns_picture(
     spans = np.array([_span(move) for move in moves]).reshape(-1, 2)
     table = DataTable(
         {
-            "time": (seconds, "s", "since the begin"),
-            "rate": ((increments[::step] / interval).T, "deg_per_s", "of the gyros", _ABOUT),
-            "rest_begin": (begin, "s", "of each rest"),
-            "rest_end": (end, "s", "of each rest"),
+            "time": (seconds, "s", "since the start"),
+            "rate": ((increments[::step] / interval).T, "deg_per_s", "rate measured", _ABOUT),
+            "rest_begin": (begin, "s", "begin of each rest"),
+            "rest_end": (end, "s", "end of each rest"),
             "turn": (
                 [*map(str, range(1, len(turns) + 1)), *("?" for _ in near)], "",
                 "number of a turn; a question mark for what nearly was one",
             ),
-            "turn_begin": (spans[:, 0], "s", "of each turn"),
-            "turn_end": (spans[:, 1], "s", "of each turn"),
+            "turn_begin": (spans[:, 0], "s", "begin of each turn"),
+            "turn_end": (spans[:, 1], "s", "end of each turn"),
         },
-        {"turns": ([f"{'+' if t.turns > 0 else '−'}{AXES[t.axis]}" for t in turns], "", "about")},
+        {"turns": ([f"{'+' if t.turns > 0 else '−'}{AXES[t.axis]}" for t in turns],)},
     )  # fmt: skip
     return _LogFigure(table_figure("lab-turns", lambda: table, _draw, _caption), table)
 

@@ -89,24 +89,24 @@ def heading_spread_by_window(
     left, by_rival_left = (means(n, [w])[:, 0] for n, w in zip((kinds, rival), marked, strict=True))
     return DataTable(
         {
-            "samples": (windows.astype(float), "", "in a mean, ten a second"),
-            "moving_average": ([own_window], "", "samples in the mean that is marked"),
-            "rival_window": ([marked[1]], "", "samples in the mean that is marked for the rival"),
+            "samples": (windows.astype(float), "", "samples in the mean, ten per second"),
+            "moving_average": ([own_window], "", "marked number of samples"),
+            "rival_window": ([marked[1]], "", "marked number of samples with a rounded angle"),
             "spread": (
-                spread, "deg", "deviation of the heading, with white noise and a slow part",
+                spread, "deg", "deviation of the heading with white noise and a slow part",
                 [GYROS, ("simulated", "formula", "white_alone")],
             ),
             "rival_spread": (
-                np.stack([found[1], by_rival], axis=1), "deg", "with a rounded angle instead",
+                np.stack([found[1], by_rival], axis=1), "deg", "the same with a rounded angle",
                 [GYROS, ("simulated", "formula")],
             ),
         },
         {
-            "white": (np.array([quiet, noisy]) * DEGREE_PER_HOUR, "deg_per_h", "of a sample"),
+            "white": (np.array([quiet, noisy]) * DEGREE_PER_HOUR, "deg_per_h", "white noise"),
             "slow": (part * DEGREE_PER_HOUR, "deg_per_h", "deviation of the slow part"),
-            "averaged": (left, "deg_per_h", "what the marked mean leaves"),
-            "rival_averaged": (by_rival_left, "deg_per_h", "the same for the rival"),
-            "runs": (count, "", "simulated alignments"),
+            "averaged": (left, "deg_per_h", "noise left by the marked mean"),
+            "rival_averaged": (by_rival_left, "deg_per_h", "the same with a rounded angle"),
+            "runs": (count, "", "number of simulated alignments"),
         },
     )  # fmt: skip
 

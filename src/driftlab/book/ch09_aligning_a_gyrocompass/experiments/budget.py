@@ -68,13 +68,13 @@ def alignment_budget(
     both = "first order and exact"
     return DataTable(
         {
-            "term": (TERMS, "", "of the heading error"),
-            "error": (error, "deg", "of the heading, by term"),
+            "term": (TERMS, "", "part of the heading error"),
+            "error": (error, "deg", "heading error by term"),
             "at_heading": (headings, "deg", "to which the same compass is turned"),
-            "first_order": (formula.heading[:-1], "deg", "heading error there, to first order"),
-            "exact": (gaps[0][:-1], "deg", "heading error there"),
-            "this_heading": (every[-1:], "deg", "of the compass"),
-            "this_error": (error[-1:], "deg", "exact heading error of the compass"),
+            "first_order": (formula.heading[:-1], "deg", "heading error there to first order"),
+            "exact": (gaps[0][:-1], "deg", "exact heading error there"),
+            "this_heading": (every[-1:], "deg", "heading of the compass"),
+            "this_error": (error[-1:], "deg", "its exact error"),
         },
         {
             "pitch": ((formula.pitch[-1], gaps[1][-1]), "deg", f"error of the pitch, {both}"),

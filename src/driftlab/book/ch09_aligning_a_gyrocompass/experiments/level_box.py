@@ -31,26 +31,22 @@ def level_box(heading: float, gyro_bias: ArrayLike) -> DataTable:
         wrap_angle(align(rate + factor * bias, force, heading_tolerance=np.inf).heading - true)
         for factor in (1, MAGNIFIED)
     )
-    facts = {
-        name: (float(np.interp(np.radians(place), latitude, once)), "arcmin", meaning)
-        for name, place, meaning in (
-            ("at_equator", 0.0, "at the equator"),
-            ("at_51_5", 51.5, "at 51.5°"),
-            ("at_85", 85.0, "heading error at 85°"),
-        )
-    }
+
+    def at(place: float) -> float:
+        return float(np.interp(np.radians(place), latitude, once))
+
     return DataTable(
         {
-            "latitude": (latitude, "deg", "of the box"),
-            "heading_error": (once, "arcmin", "of the alignment, computed minus true"),
-            "magnified_error": (
-                magnified, "deg", f"the same with {MAGNIFIED} times the gyros' error"
-            ),
+            "latitude": (latitude, "deg", "latitude of the box"),
+            "heading_error": (once, "arcmin", "computed minus true"),
+            "magnified_error": (magnified, "deg", f"the same, gyros {MAGNIFIED} times worse"),
         },
         {
-            **facts,
+            "at_equator": (at(0.0), "arcmin", "at the equator"),
+            "at_51_5": (at(51.5), "arcmin", "at 51.5°"),
+            "at_85": (at(85.0), "arcmin", "heading error at 85°"),
             "attitude": (attitude, "", "body to North, Up, East, everywhere"),
             "earth_rate": (navigation_frame_rate(latitude), "rad_per_s", "in North, Up, East"),
             "gyro_bias": (rotate(attitude, bias), "rad_per_s", "in North, Up, East"),
         },
-    )  # fmt: skip
+    )

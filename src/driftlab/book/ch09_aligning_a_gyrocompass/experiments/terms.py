@@ -70,8 +70,8 @@ def alignment_terms(
             "as in the copy": formula.heading + surplus,
             "corrected": formula.heading,
         }
-        columns[f"at_{name}"] = (grid, "deg", "that varies alone")
-        columns[f"error_over_{name}"] = (errors, "deg", "of the heading")
+        columns[f"at_{name}"] = (grid, "deg", f"{name}, the only angle that varies")
+        columns[f"error_over_{name}"] = (errors, "deg", f"heading error over the {name}")
     facts = {
         f"fixed_{name}": (value, "deg", f"{name} where it does not vary")
         for name, value in fixed.items()

@@ -70,11 +70,11 @@ def two_positions(
     kinds, spread = ("simulated", "formula"), "standard deviation of the heading"
     return DataTable(
         {
-            "turn": (turns, "deg", "between the two positions"),
+            "turn": (turns, "deg", "turn between the two positions"),
             "by_turn": (
                 np.stack([by_turn, by_turn_formula], axis=1), "deg", spread, [known, kinds]
             ),
-            "time": (times, "s", "of the whole alignment"),
+            "time": (times, "s", "time of the whole alignment"),
             "by_time": (
                 np.stack([by_time, by_time_formula], axis=1), "deg", spread, [WAYS, kinds]
             ),
@@ -82,7 +82,7 @@ def two_positions(
         },
         {
             "duration": (2.0 * half, "min", "time of both positions where the turn varies"),
-            "units": (many, "", "simulated at each place"),
+            "units": (many, "", "units simulated at each point"),
         },
     )  # fmt: skip
 

@@ -71,26 +71,27 @@ def errors_over_the_vertical(
     def angle(values: FloatArray, meaning: str) -> tuple[Any, ...]:
         return values, "deg", meaning, (), 7  # where the bow points up, roundings differ by machine
 
-    error = "root mean square error"
+    error = "root mean square"
     return DataTable(
         {
-            "angle": angle(angles, "turned about the right axis"),
-            "true_heading": angle(true.heading, "of the body"),
-            "true_roll": angle(roll, "of the body"),
-            "true_pitch": angle(true.pitch, "of the body"),
+            "angle": angle(angles, "angle of the turn about the right axis"),
+            "true_heading": angle(true.heading, "heading of the body"),
+            "true_roll": angle(roll, "roll of the body"),
+            "true_pitch": angle(true.pitch, "pitch of the body"),
             "heading_error": angle(rms(found.heading - true.heading), error),
             "roll_error": angle(rms(found.roll - roll), error),
             "attitude_error": angle(np.sqrt(np.mean(away**2, axis=0)), error),
             # It is well defined while the bow is nearer to Up.
             "heading_and_roll_error": angle(
-                rms(found.heading + found.roll - true.heading - roll), f"{error} of their sum"
+                rms(found.heading + found.roll - true.heading - roll),
+                f"{error} of the error of their sum",
             ),
         },
         {
             "runs": (count, "", "alignments at each angle"),
             "attitude": (attitude, "", "body to North, Up, East"),
-            "found": (large.attitude, "", "by one body whose sensor errors are large"),
-            "found_heading": (large.heading, "rad", "by the same"),
+            "found": (large.attitude, "", "attitude found with large sensor errors"),
+            "found_heading": (large.heading, "rad", "heading found with these"),
         },
     )
 

@@ -79,7 +79,7 @@ def allan_lines(
     ends = columns["dear_line_time"][0]
     rounding = NoiseTerms(quantisation=ROUNDING).deviation(ends)
     columns["rounding_time"] = (ends, "s", "averaging time")
-    columns["rounding"] = (rounding, "deg_per_h", "what rounded pulses alone would do")
+    columns["rounding"] = (rounding, "deg_per_h", "Allan deviation of rounded pulses alone")
     walks = np.array([fit_noise_terms(beside).terms.angle_random_walk, walk_by_headings()])
     return DataTable(
         columns,
@@ -148,14 +148,15 @@ def _drawn(allan: AllanDeviation, fit: NoiseFit, begin: float) -> dict[str, tupl
     """Points, the fit, and a line for each term that is seen, or its bound."""
     times, time, unit = allan.averaging_times, "averaging time", "deg_per_h"
     fitted, ends = np.geomspace(max(begin, times[0]), times[-1], 50), times[[0, -1]]
+    used = np.where(times >= begin * (1 - 1e-9), "yes", "no")
     columns: dict[str, tuple[Any, ...]] = {
         "time": (times, "s", time),
-        "in_the_fit": (np.where(times >= begin * (1 - 1e-9), "yes", "no"), "", "whether used"),
+        "in_the_fit": (used, "", "whether the fit uses the point"),
         "deviation": (allan.deviation, unit, "Allan deviation"),
         "lower": (allan.lower, unit, "lower end of its interval of 68 %"),
         "upper": (allan.upper, unit, "upper end of its interval of 68 %"),
         "fit_time": (fitted, "s", time),
-        "fit": (fit.terms.deviation(fitted), unit, "what the terms seen add up to"),
+        "fit": (fit.terms.deviation(fitted), unit, "sum of the terms seen"),
         "line_time": (ends, "s", time),
     }
     for name, term, _, bound in zip(TERMS, *_terms(fit), strict=True):

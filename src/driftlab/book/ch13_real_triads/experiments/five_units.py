@@ -78,28 +78,28 @@ def five_units() -> DataTable:
     around = slice(pause[0] - 330, pause[1] + 300)
     shortest = [min(end - begin for begin, end in rows) for rows in cuts]
     log, interval = logs[ODD], logs[ODD].interval
+    times = interval * np.arange(around.start, around.stop)
     gyro, deviation = (
         np.array([[getattr(fit, name) for fit in row] for row in fits])
         for name in ("gyro", "deviation")
     )
     theirs = np.array([[triad.error for triad in table] for table in tables])
     off = np.abs(gyro - theirs[:, 1])
-    moved = np.abs(gyro[PAUSE[1], ODD] - gyro[PAUSE[0], ODD])
+    moved, both = np.abs(gyro[PAUSE[1], ODD] - gyro[PAUSE[0], ODD]), deviation[PAUSE, ODD]
     today, then = [fit.accelerometer for fit in fits[0]], [*map(_before_the_fix, logs, cuts)]
     residual = np.array([[_rms(fit.angles) for fit in row] for row in fits])
+    moves = np.array([[len(fit.angles) for fit in row] for row in fits])
     authors = "in the authors' way"
     return DataTable(
         {
-            "time": (interval * np.arange(around.start, around.stop), "s", "about the pause"),
-            "rate": (norm(log.gyro[around], axis=1), "rad_per_s", "size of it, unit 2"),
-            "quiet_below": ([QUIET], "rad_per_s", "rate at which the authors see a rest"),
-            "rest_begins": ([interval * pause[0]], "s", "shortest rest of unit 2"),
-            "rest_ends": ([interval * pause[1]], "s", "shortest rest of unit 2"),
-            "way": (WAY_NAMES, "", "to cut and fit a record"),
-            "largest_difference": (
-                _largest(off).T, "", "of an entry of K from the published one", UNIT_NAMES
-            ),
-            "angle_left": (residual.T, "deg", "after a move, root mean square", UNIT_NAMES),
+            "time": (times, "s", "around a rest of unit 2"),
+            "rate": (norm(log.gyro[around], axis=1), "rad_per_s", "size of its rate"),
+            "quiet_below": ([QUIET], "rad_per_s", "rate below which the authors see a rest"),
+            "rest_begins": ([interval * pause[0]], "s", "begin of this rest"),
+            "rest_ends": ([interval * pause[1]], "s", "end of this rest"),
+            "way": (WAY_NAMES, "", "how a record is cut and fitted"),
+            "largest_difference": (_largest(off).T, "", "of K from the table's", UNIT_NAMES),
+            "angle_left": (residual.T, "deg", "root mean square after a move", UNIT_NAMES),
         },
         {
             "gyro": (gyro, "", "K of measured = (I + K) true + bias, by way and unit"),
@@ -108,18 +108,16 @@ def five_units() -> DataTable:
             "published_accelerometer": (theirs[:, 0], "", "L of each unit"),
             "accelerometer": (np.array(today), "", f"L {authors}, by all three components"),
             "before_the_fix": (np.array(then), "", "L with the code of the year of the table"),
-            "moves": ([[len(fit.angles) for fit in row] for row in fits], "", "by way and unit"),
+            "moves": (moves, "", "number of moves found, by way and unit"),
             "published_residual": (own[:, 0], "deg", f"left by the published numbers, {authors}"),
             "with_own_bias": (own[:, 1], "deg", "the same with the best bias; theirs is rounded"),
             "shortest": (np.array(shortest), "", f"samples in the shortest rest {authors}"),
             "angles": (fits[0][ODD].angles, "deg", f"left after each move of unit 2, {authors}"),
             "pause": (np.array(pause), "", "rows of its shortest rest"),
-            "moved": (moved.max(), "", "change of its K without this rest"),
-            "moved_in_deviations": (
-                _largest(moved / deviation[PAUSE, ODD]), "", "with it and without"
-            ),
+            "moved": (moved.max(), "", "largest change of unit 2's K without its shortest rest"),
+            "moved_in_deviations": (_largest(moved / both), "", "in deviations with and without"),
         },
-    )  # fmt: skip
+    )
 
 
 def fit_unit(log: Recording, way: Way) -> UnitFit:

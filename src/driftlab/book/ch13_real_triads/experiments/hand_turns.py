@@ -80,9 +80,9 @@ def hand_turns(stop_deviation: float = STOP) -> DataTable:
             "added_next_axis": (added[..., 0].ravel(), "deg", "the same by angles added up"),
             "tilt_axis_after": (path[..., 1].ravel(), "deg", f"tilt of the axis {axis_after}"),
             "added_axis_after": (added[..., 1].ravel(), "deg", "the same by angles added up"),
-            "error_by_source": (ROWS, "", "what may move an estimate, or does"),
+            "error_by_source": (ROWS, "", "source of an error"),
             "part_of_a_turn": (
-                np.stack([*sources.T, deviation, *moved], axis=1), "", "by how much",
+                np.stack([*sources.T, deviation, *moved], axis=1), "", "size of this error",
                 ["turn about x", "turn about y", "turn about z"],
             ),
         },
@@ -97,9 +97,9 @@ def hand_turns(stop_deviation: float = STOP) -> DataTable:
             "integral": (integral, "rad", "sums of the gyros' angles, of each turn"),
             "error": (found["error"], "rad", "rotation vector by the gyros after each turn"),
             "duration": (duration, "s", "from rest to rest"),
-            "stop_deviation": (stop_deviation, "deg", "assumed of the heading at the end"),
-            "added_up": (np.abs(added[:, -1]).max(), "deg", "across the axis, by angles added up"),
-            "come_back": (np.abs(path[:, -1]).max(), "deg", "across the axis, as a rotation"),
+            "stop_deviation": (stop_deviation, "deg", "deviation of the final heading, assumed"),
+            "added_up": (np.abs(added[:, -1]).max(), "deg", "largest sum across the axis"),
+            "come_back": (np.abs(path[:, -1]).max(), "deg", "largest rotation across the axis"),
         },
     )  # fmt: skip
 

@@ -74,34 +74,35 @@ def parked_car(lengths: ArrayLike = (RESTART, LONGER, STRETCH)) -> DataTable:
     cuts = [stretches(whole, seconds) for seconds in lengths.tolist()]
     carried = [align_in_inertial_frame(parts, latitude) for parts in cuts]
     means = [_means(parts) for parts in cuts]
-    two = [two_velocities(parts, latitude) for parts in cuts]
+    pairs = [two_velocities(parts, latitude) for parts in cuts]
     headings = [
         np.stack([mean.heading, pair, found.heading])
-        for mean, pair, found in zip(means, two, carried, strict=True)
+        for mean, pair, found in zip(means, pairs, carried, strict=True)
     ]
     shaken, level = unrest(whole), EARTH_RATE * np.cos(latitude)
     columns: dict[str, tuple[Any, ...]] = {
-        "unrest_time": (_middles(UNREST, len(shaken)), "min", "since the begin"),
+        "unrest_time": (_middles(UNREST, len(shaken)), "min", "since the start"),
         "unrest": (shaken, "deg_per_h", "deviation of the level rates' means over a second"),
-        "level_earth_rate": (np.array([level]), "deg_per_h", "at the place"),
-        "file_header_heading": (np.array([HEADER]), "deg", "maybe inaccurate, says the file"),
+        "level_earth_rate": (np.array([level]), "deg_per_h", "level part of the Earth's rate"),
+        "file_header_heading": (np.array([HEADER]), "deg", "heading in the file's header"),
     }
     for name, part in (("restart", 0), ("stretch", 2)):
-        (mean, _, found), two_deviations = headings[part], 2 * carried[part].deviation
+        (mean, _, found), two = headings[part], 2 * carried[part].deviation
         end = f"{name}_all_velocities"
         columns |= {
-            f"{name}_time": (_middles(lengths[part], len(mean)), "min", "since the begin"),
-            f"{name}_means": (mean, "deg", "heading"),
-            end: (found, "deg", "heading"),
-            f"{end}_less_two_deviations": (found - two_deviations, "deg", "as they state them"),
-            f"{end}_and_two_deviations": (found + two_deviations, "deg", "as they state them"),
+            f"{name}_time": (_middles(lengths[part], len(mean)), "min", "since the start"),
+            f"{name}_means": (mean, "deg", "heading from means"),
+            end: (found, "deg", "heading from all velocities"),
+            f"{end}_less_two_deviations": (found - two, "deg", "less two stated deviations"),
+            f"{end}_and_two_deviations": (found + two, "deg", "plus two stated deviations"),
         }
     for row, method in enumerate(METHODS):
         word = method.replace(" ", "_")
         spreads = [spread(part[row]) for part in headings]
         middle, low, high = np.transpose([(s.deviation, s.low, s.high) for s in spreads])
+        places = lengths * (1 + APART * (row - 1))
         columns |= {
-            f"{word}_drawn_at_length": (lengths * (1 + APART * (row - 1)), "s", "of stretches"),
+            f"{word}_drawn_at_length": (places, "s", "length of stretches, marks set apart"),
             f"{word}_deviation": (middle, "deg", "standard deviation of the headings"),
             f"{word}_deviation_low": (low, "deg", "lower end of its interval of 95 %"),
             f"{word}_deviation_high": (high, "deg", "upper end of its interval of 95 %"),
@@ -118,7 +119,7 @@ def parked_car(lengths: ArrayLike = (RESTART, LONGER, STRETCH)) -> DataTable:
             "level_rate": (carried[0].level_rate, "rad_per_s", "at which gravity moves"),
             # the alarm that `align` has in its hand
             "found_latitude": (means[0].latitude, "deg", "from the means of each restart"),
-            "latitude": (latitude, "deg", "of the place"),
+            "latitude": (latitude, "deg", "latitude of the place"),
         },
     )
 

@@ -58,11 +58,11 @@ def two_calibrations() -> DataTable:
     return DataTable(
         {
             "move": (moves, "", "number of the move"),
-            "before": (nominal.residuals, "deg", "angle of gravity left, one scale for all gyros"),
+            "before": (nominal.residuals, "deg", "tilt left after it, one scale for all gyros"),
             "calibrated": (fit.residuals, "deg", "the same, calibrated"),
             "rms_over_moves": ([0, len(moves) + 1], "", "where the root mean squares are drawn"),
-            "before_rms": ([_rms(nominal.residuals)] * 2, "deg", "root mean square"),
-            "calibrated_rms": ([_rms(fit.residuals)] * 2, "deg", "root mean square"),
+            "before_rms": ([_rms(nominal.residuals)] * 2, "deg", "root mean square before"),
+            "calibrated_rms": ([_rms(fit.residuals)] * 2, "deg", "root mean square, calibrated"),
         },
         {
             "published_gyro": (gyros, "", f"K {of_two}, published"),
