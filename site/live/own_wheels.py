@@ -58,7 +58,7 @@ def figures_wheel(folder: Path, python: str) -> Path:
     """
     place = f"driftlab_figures-{__version__}.data/data/lib/python{python}/figures"
     definitions = figure_definitions().values()
-    names = [f"{each.name}.csv" for each in definitions if each.restore is not None]
+    names = [f"{each.name}.csv" for each in definitions if each.is_kept]
     files = {f"{place}/{name}": (ROOT / "figures" / name).read_bytes() for name in names}
     return _wheel(folder, "driftlab-figures", __version__, files, f"driftlab=={__version__}")
 

@@ -11,10 +11,9 @@ import pytest
 
 from driftlab.book import figures
 from driftlab.book.__main__ import write_gallery
-from driftlab.book.machinery.curve_rows import numbers
+from driftlab.book.machinery.csv_table import as_words, numbers, read_table
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.figure_table import as_words, read_table
-from driftlab.book.machinery.publish import KEPT, PublishedFigure, gallery
+from driftlab.book.machinery.publish import PublishedFigure, gallery
 from driftlab.book.machinery.table_differences import table_differences
 from driftlab.recordings.publishers import RecordingUnavailable
 from published import NAMES, published
@@ -40,15 +39,13 @@ def test_published_numbers_are_what_is_computed(figure: PublishedFigure) -> None
 
 
 @pytest.mark.parametrize(
-    "name", [name for name, each in figures.figure_definitions().items() if each.restore]
+    "name", [name for name, each in figures.figure_definitions().items() if each.is_kept]
 )
-def test_a_figure_that_is_restored_writes_its_table_again(name: str) -> None:
+def test_a_figure_that_is_read_from_its_csv_writes_it_again(name: str) -> None:
     """Without the recording, or the minutes, that it takes to compute it."""
     definition = figures.figure_definitions(name[:2])[name]
-    comments, words = read_table(PUBLISHED / f"{name}.csv")
-    kept = [line.removeprefix(KEPT) for line in comments if line.startswith(KEPT)]
-    restored = DataTable.read(kept[0], words) if kept else definition.restore(words)
-    assert_same_table(PUBLISHED / f"{name}.csv", definition.columns(restored))
+    path = PUBLISHED / f"{name}.csv"
+    assert_same_table(path, definition.columns(DataTable.of_csv(*read_table(path))))
 
 
 def assert_same_table(path: Path, columns: Mapping[str, Any]) -> None:

@@ -10,11 +10,11 @@ await python.loadPackage(packages, { messageCallback() {} });
 process.stdout.write(python.runPython(`
 import json
 from driftlab.book.figures import figure_definitions
-from driftlab.book.machinery.figure_table import as_words
+from driftlab.book.machinery.csv_table import as_words
 
 json.dumps({
     name: as_words(each.columns(each.compute()))
     for name, each in figure_definitions().items()
-    if each.columns and each.restore is None
+    if each.columns and not each.is_kept
 })
 `));

@@ -16,7 +16,7 @@ from driftlab.recordings.publishers import PUBLISHED, RecordingUnavailable, publ
 
 from .chapters import chapters_with, part_of
 from .machinery.csv_table import read_table
-from .machinery.data_table import KEPT, DataTable
+from .machinery.data_table import DataTable
 from .machinery.publish import FigureDefinition, PublishedFigure
 
 _FOLDER = Path(__file__).parents[3] / "figures"
@@ -124,16 +124,11 @@ def measured(name: str) -> Any:
     ValueError, RecordingUnavailable
         As in `figure`.
     """
-    definition, table = _definition(name), _FOLDER / f"{name}.csv"
-    needed = not definition.recordings or bool(not_at_hand(definition))
-    if definition.restore is not None and needed:
-        if table.exists():
-            comments, columns = read_table(table)
-            kept = [line for line in comments if line.startswith(KEPT)]
-            if kept:
-                return DataTable.read(kept[0].removeprefix(KEPT), columns)
-            return definition.restore(columns)
-        if not definition.recordings:
+    definition, path = _definition(name), _FOLDER / f"{name}.csv"
+    if definition.kept or not_at_hand(definition):
+        if path.exists():
+            return DataTable.of_csv(*read_table(path))
+        if definition.kept:
             warnings.warn(
                 f"{name} is computed anew, which takes minutes: its published numbers are in the "
                 "folder figures of the project, which an installed package does not have.",

@@ -7,7 +7,7 @@ import pytest
 
 from driftlab.book import figures
 from driftlab.book.ch09_aligning_a_gyrocompass import experiments as alignments
-from driftlab.book.machinery.figure_table import read_table
+from driftlab.book.machinery.csv_table import read_table
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.earth import gravity
 from published import published

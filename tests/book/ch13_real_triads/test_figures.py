@@ -21,9 +21,8 @@ from driftlab.book.ch13_real_triads.experiments import (
 )
 from driftlab.book.ch13_real_triads.experiments.five_units import authors_rests
 from driftlab.book.ch13_real_triads.experiments.publishers_numbers import _FIVE_GYROS
+from driftlab.book.machinery.csv_table import read_table
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.figure_table import read_table
-from driftlab.book.machinery.publish import KEPT
 from driftlab.earth import EARTH_RATE
 from support import ROOT, recording_or_skip
 
@@ -38,9 +37,7 @@ IMUCAL = np.diag([1.0279243264288036, 0.9824277738468916, 0.9983104874451514]) @
 
 def of(name):
     """The table of a figure as it is published, whether the recording is here or not."""
-    comments, columns = read_table(ROOT / "figures" / f"{name}.csv")
-    (kept,) = (line.removeprefix(KEPT) for line in comments if line.startswith(KEPT))
-    return DataTable.read(kept, columns)
+    return DataTable.of_csv(*read_table(ROOT / "figures" / f"{name}.csv"))
 
 
 @pytest.fixture(scope="module")

@@ -14,9 +14,8 @@ from driftlab.book.ch13_real_triads.experiments.parked_car import (
     parked_car,
     spread,
 )
+from driftlab.book.machinery.csv_table import read_table
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.figure_table import read_table
-from driftlab.book.machinery.publish import KEPT
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.trials import normal_ranges, range_over_deviation
 from driftlab.vectors import wrap_angle
@@ -44,8 +43,7 @@ def chance_of_paired_ratio(first: np.ndarray, second: np.ndarray) -> float:
 @cache
 def car() -> DataTable:
     """The study as it is published, which needs no recording."""
-    comments, columns = read_table(TABLE)
-    return DataTable.read(comments[-1].removeprefix(KEPT), columns)
+    return DataTable.of_csv(*read_table(TABLE))
 
 
 def test_every_stretch_of_five_minutes_gives_the_heading_of_the_header():

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.constants import arcminute, degree, hour
 
-from driftlab.book.machinery.data_table import UNITS, DataTable
-from driftlab.book.machinery.figure_table import as_words
+from driftlab.book.machinery.csv_table import as_words
+from driftlab.book.machinery.data_table import KEPT, UNITS, DataTable
 
 TABLE = DataTable(
     {
@@ -62,7 +62,7 @@ def test_notes_say_what_columns_mean_and_what_the_facts_are() -> None:
 
 def test_a_table_is_read_again_from_its_csv() -> None:
     words = as_words(TABLE.columns())
-    again = DataTable.read(TABLE.as_json(), words)
+    again = DataTable.of_csv(["made by: a test", KEPT + TABLE.as_json()], words)
     assert as_words(again.columns()) == words
     assert again.error.shape == (2, 3, 2)
     np.testing.assert_allclose(again.drift, TABLE.drift, rtol=1e-11)
@@ -86,6 +86,7 @@ def test_a_table_can_be_sent_to_another_process() -> None:
     [
         ({"a": ([1.0], "furlong")}, {}, "a: expected a unit of .* got 'furlong'"),
         ({"a": ([1.0],)}, {"a": (1.0,)}, "columns: expected other names than the facts', got 'a'"),
+        ({"heading": ([1.0],)}, {}, "heading: expected a name that is no method of a table's"),
         ({"a": ({"of #1": [1.0]},)}, {}, "a, of #1: expected a name without"),
     ],
 )

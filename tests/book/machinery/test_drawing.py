@@ -172,7 +172,7 @@ def test_places_are_for_axes_that_count_words() -> None:
         drawing.header()
 
 
-class ErrorPicture(Picture[DataTable]):
+class ErrorPicture(Picture):
     """A curve that moves."""
 
     def build(self) -> None:

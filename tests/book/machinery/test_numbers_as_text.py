@@ -1,11 +1,7 @@
-"""How numbers are written for a reader, and kept in a table's columns."""
+"""How numbers are written for a reader."""
 
-from typing import NamedTuple
-
-import numpy as np
 import pytest
 
-from driftlab.book.machinery.arrays_table import from_columns, to_columns
 from driftlab.book.machinery.units import angle_text, number_text
 
 
@@ -30,19 +26,3 @@ def test_a_number_has_three_digits(number, text):
 )
 def test_an_angle_has_three_digits_and_a_unit_that_suits_it(angle, text):
     assert angle_text(angle) == text
-
-
-class Found(NamedTuple):
-    mean: float
-    parts: np.ndarray
-
-
-def test_arrays_come_back_from_their_columns():
-    table = to_columns(Found(2.0, np.array([[1.0, 3.0]])))
-    assert table["array"] == ["mean", "parts", "parts"]
-    assert table["index"] == ["", "0 0", "0 1"]
-    table = {name: [str(cell) for cell in column] for name, column in table.items()}
-    table = {name: [*column, ""] for name, column in table.items()}  # as beside a longer column
-    again = from_columns(Found)(table)
-    assert again.mean == 2.0
-    np.testing.assert_array_equal(again.parts, [[1.0, 3.0]])

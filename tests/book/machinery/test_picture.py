@@ -1,20 +1,13 @@
-"""What the pictures of all chapters share: tables of curves, limits, legends, calls."""
+"""What the pictures of all chapters share: limits, legends, calls."""
 
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from driftlab.attitude import Algorithm
-from driftlab.book.machinery.picture import decades, legend_above, legend_below_all, long_table
+from driftlab.book.machinery.picture import decades, legend_above, legend_below_all
 from driftlab.book.machinery.sheet import COLUMN, PAGE, Sheet
 from driftlab.book.machinery.written import written
-
-
-def test_long_table_keeps_every_curve() -> None:
-    table = long_table({"a": ([1, 2], [3, 4]), "b": ([5], 6.0)})
-    assert table["curve"] == ["a", "a", "b"]
-    np.testing.assert_array_equal(table["x"], [1, 2, 5])
-    np.testing.assert_array_equal(table["y"], [3, 4, 6])
 
 
 @pytest.mark.parametrize("width", [COLUMN, PAGE])

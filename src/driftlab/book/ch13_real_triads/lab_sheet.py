@@ -14,7 +14,7 @@ from driftlab.drift.turns_by_hand import HandTurn, HandTurnFit
 from ..machinery.data_table import DataTable
 from ..machinery.drawing import Drawing, from_table
 from ..machinery.picture import GREY, SERIES, legend_above, legend_below_all
-from ..machinery.publish import PublishedFigure, table_figure
+from ..machinery.publish import FigureDefinition, PublishedFigure
 from ..machinery.table import Table
 from .offset_two_ways import RestRates
 
@@ -57,7 +57,7 @@ def turns_picture(
         },
         {"turns": ([f"{'+' if t.turns > 0 else '−'}{AXES[t.axis]}" for t in turns],)},
     )  # fmt: skip
-    return _LogFigure(table_figure("lab-turns", lambda: table, _draw, _caption), table)
+    return _LogFigure(FigureDefinition("lab-turns", lambda: table, _draw, _caption), table)
 
 
 class _LogFigure(PublishedFigure):

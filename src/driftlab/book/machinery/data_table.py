@@ -70,7 +70,7 @@ def shown_in(values: Any, unit: str) -> Any:
     if unit == "deg":
         return np.degrees(values)
     size, _ = UNITS[unit]
-    return values if size == 1.0 else values / size
+    return values if size == 1.0 else np.asarray(values) / size
 
 
 class DataTable:
@@ -184,7 +184,7 @@ class DataTable:
         ]
 
     def as_json(self) -> str:
-        """Return on one line what `read` needs besides the columns of a CSV."""
+        """Return on one line what `of_csv` needs besides the columns of a CSV."""
         kept: dict[str, Any] = {"columns": {}, "facts": {}}
         for name, entry in self._entries.items():
             about = {"unit": entry.unit, "meaning": entry.meaning}
@@ -197,9 +197,10 @@ class DataTable:
         return json.dumps(kept, ensure_ascii=False)
 
     @classmethod
-    def read(cls, line: str, words: Mapping[str, Sequence[str]]) -> DataTable:
-        """Return the table of a CSV from the line that `as_json` wrote and the columns' words."""
-        kept = json.loads(line)
+    def of_csv(cls, comments: Iterable[str], words: Mapping[str, Sequence[str]]) -> DataTable:
+        """Return the table of a CSV from its comments, one of them `as_json`, and its columns."""
+        (line,) = (line for line in comments if line.startswith(KEPT))
+        kept = json.loads(line.removeprefix(KEPT))
         columns = {}
         for name, (headings, shape, unit, meaning) in _values(kept["columns"]):
             single = {

@@ -195,7 +195,6 @@ class Drawing:
         across, up = (np.unique(self.table.shown(each)) for each in (x, y))
         values = np.reshape(self.table.shown(z), (len(up), len(across)))
         filled = axes.contourf(across, up, values, **style)
-        filled.driftlab_values = across, up, values  # type: ignore[attr-defined]
         self.drawn.append(Drawn(axes, "", [Rows(x, y, value=z)]))
         self._known.add(id(filled))
         return filled

@@ -29,7 +29,7 @@ KEPT = 8
 class MatplotlibView:
     """What draws a `Picture` for an explorer."""
 
-    def __init__(self, picture: Picture[Any], page: Page) -> None:
+    def __init__(self, picture: Picture, page: Page) -> None:
         self.picture = picture
         self._page = page
         for artist in picture.moving:

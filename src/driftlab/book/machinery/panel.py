@@ -61,7 +61,7 @@ class Explorer(widgets.VBox):
     """
 
     title: ClassVar[str]
-    picture_class: ClassVar[type[Picture[Any]] | type[View]]
+    picture_class: ClassVar[type[Picture] | type[View]]
     controls: ClassVar[Sequence[Control]]
     presets: ClassVar[Mapping[str, Values]]
     """By name, the values that differ from the controls' own."""

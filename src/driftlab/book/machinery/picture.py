@@ -1,20 +1,17 @@
-"""What every figure of the book is made with: a picture drawn once, whose artists then only move.
+"""A drawing made once, whose artists then only move; colours, legends and limits of all figures.
 
-A slider panel and the published figure of it are the same picture. `Picture.draw(data)` makes the
+A slider panel and the published figure of it are the same picture. `Picture.draw(table)` makes the
 figure for a page; an explorer keeps one `Picture` and calls `update` at each move of a slider. A
-figure that no panel moves is one function, in the same style by `in_style`. Both take the sheet
-that they are drawn on, a screen if nothing else is said; see `sheet`.
+figure that no panel moves is one function; see `drawing.from_table`.
 """
 
-from collections.abc import Callable, Mapping, Sequence
-from functools import wraps
-from typing import Any, ClassVar, Generic, Protocol, Self, TypeVar
+from collections.abc import Sequence
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.contour import QuadContourSet
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
@@ -23,7 +20,6 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray
 
-from .data_table import DataTable
 from .drawing import GUIDE as GUIDE, Drawing, Place
 from .sheet import SCREEN, Sheet, drawn_in
 
@@ -45,11 +41,8 @@ SERIES: tuple[dict[str, Any], ...] = (
 REACHES = tuple(k * 10.0**power for power in range(-6, 4) for k in (1, 2, 5))
 """How far axes may reach, if nothing else is said."""
 
-Data = TypeVar("Data")
-Seen = TypeVar("Seen", contravariant=True)
 
-
-class Picture(Drawing, Generic[Data]):
+class Picture(Drawing):
     """A drawing with artists made once; subclasses make axes in `build`, move them in `update`."""
 
     size: ClassVar[tuple[float, float]] = (9.0, 3.8)
@@ -68,13 +61,12 @@ class Picture(Drawing, Generic[Data]):
         """Make axes and artists."""
         raise NotImplementedError
 
-    def update(self, data: Data) -> None:
-        """Move the artists to `data`; the curves of a table need no more than `show`."""
-        assert isinstance(data, DataTable)
+    def update(self, data: Any) -> None:
+        """Move the artists to a table; its curves need no more than `show`."""
         self.show(data)
 
     @classmethod
-    def draw(cls, data: Data, sheet: Sheet = SCREEN) -> Self:
+    def draw(cls, data: Any, sheet: Sheet = SCREEN) -> Self:
         """Return a picture of `data`, for a page or a file."""
         picture = cls(sheet)
         picture.update(data)
@@ -121,47 +113,6 @@ class Picture(Drawing, Generic[Data]):
         (line,) = axes.plot([], [], **style)
         self.moving.append(line)
         return line
-
-
-class _Drawing(Protocol[Seen]):
-    """What draws data on a sheet, on a screen if none is named."""
-
-    def __call__(self, data: Seen, sheet: Sheet = SCREEN) -> Figure: ...
-
-
-def in_style(draw: Callable[[Data, Sheet], Figure]) -> _Drawing[Data]:
-    """Let a function draw in its sheet's style, which Matplotlib reads when artists are made."""
-
-    @wraps(draw)
-    def styled(data: Data, sheet: Sheet = SCREEN) -> Figure:
-        with drawn_in(sheet.style):
-            figure = draw(data, sheet)
-        FigureCanvasAgg(figure)
-        return figure
-
-    return styled
-
-
-def long_table(curves: Mapping[str, tuple[ArrayLike, ArrayLike]]) -> dict[str, Any]:
-    """Columns ``curve``, ``x``, ``y`` of a CSV for curves that have no abscissa in common."""
-    pairs = {name: np.broadcast_arrays(x, y) for name, (x, y) in curves.items()}
-    return {
-        "curve": [name for name, (x, _) in pairs.items() for _ in x],
-        "x": np.concatenate([x for x, _ in pairs.values()]),
-        "y": np.concatenate([y for _, y in pairs.values()]),
-    }
-
-
-def filled_contours(
-    axes: Axes, x: FloatArray, y: FloatArray, z: FloatArray, **style: Any
-) -> QuadContourSet:
-    """Fill the plane by values (m, n) over x (n,) and y (m,), as ``axes.contourf``, and keep them.
-
-    Matplotlib forgets the values; the figure's CSV is compared with them.
-    """
-    contours = axes.contourf(x, y, z, **style)
-    contours.driftlab_values = x, y, z  # type: ignore[attr-defined]
-    return contours
 
 
 def project(points: FloatArray, azimuth: float = -60.0, elevation: float = 24.0) -> FloatArray:

@@ -15,10 +15,9 @@ from matplotlib.figure import Figure
 
 import driftlab
 
-from .csv_table import Words, as_words, write_table
+from .csv_table import as_words, write_table
 from .data_table import KEPT, DataTable
 from .drawing import Drawing
-from .figure_table import header
 from .picture_file import PICTURES, ending_of, picture_file
 from .sheet import SCREEN, Sheet
 from .written import imports, written
@@ -38,23 +37,19 @@ class FigureDefinition:
 
     name: str  # file name without ending; begins with the chapter's number
     # takes the figure's parameters, all by name and with their published values as defaults, in SI
-    # units and radians; returns the picture's data
+    # units and radians; returns the table that is drawn, or what a scene shows
     compute: Callable[..., Any]
-    # data and the sheet to draw them on, to a Matplotlib figure; what plays by itself, as a scene
-    # does, returns the text of an SVG for a screen
+    # draws a table on a sheet; what plays by itself, as a scene does, returns the text of an SVG
+    # for a screen, and on paper a Matplotlib figure
     draw: Callable[..., Drawing | Figure | str]
-    # data to CSV columns by name, every curve that is drawn in the units of its axes; they may be
-    # of different lengths. None for a drawing that shows no numbers
-    columns: Callable[[Any], dict[str, Any]] | None
     # data to the sentence under the figure, true for any parameters, its numbers computed
     caption: Callable[[Any], str]
-    # columns of the published CSV to the data, for what takes minutes to compute or needs a
-    # recording that may not be at hand
-    restore: Callable[[Mapping[str, list[str]]], Any] | None = None
     # names in `driftlab.recordings.publishers.PUBLISHED` that it is computed from
     recordings: tuple[str, ...] = ()
-    # whether a table is read from its published CSV, because it takes minutes to compute
+    # whether its table is read from its published CSV, because it takes minutes to compute
     kept: bool = False
+    # data to CSV columns by name; None for a drawing that shows no numbers
+    columns: Callable[[Any], dict[str, Any]] | None = DataTable.columns
 
     @property
     def is_kept(self) -> bool:
@@ -65,25 +60,6 @@ class FigureDefinition:
     def parameters(self) -> dict[str, Any]:
         """Its parameters with their published values, by name."""
         return {name: each.default for name, each in signature(self.compute).parameters.items()}
-
-
-def table_figure(
-    name: str,
-    compute: Callable[..., DataTable],
-    draw: Callable[..., Drawing],
-    caption: Callable[[DataTable], str],
-    *,
-    kept: bool = False,
-    recordings: tuple[str, ...] = (),
-) -> FigureDefinition:
-    """Return the definition of a figure that is drawn from a table."""
-    restore = _unused if kept or recordings else None
-    return FigureDefinition(
-        name, compute, draw, DataTable.columns, caption, restore, recordings, kept
-    )
-
-
-def _unused(_: object) -> None: ...
 
 
 class PublishedFigure:
@@ -164,7 +140,7 @@ class PublishedFigure:
         if self.definition.columns:
             self._write_table(folder / f"{self.definition.name}.csv")
 
-    def comments(self, table: Words) -> list[str]:
+    def comments(self) -> list[str]:
         """Return the lines above the numbers: what they are, of what parameters, what is drawn."""
         lines = [
             f"{self.definition.name}: {self.caption}",
@@ -175,17 +151,14 @@ class PublishedFigure:
             lines.append("parameters, in SI units and radians:")
             lines += [f"  {line}" for line in imports(self.parameters)]
             lines += [f"  {name} = {written(value)}" for name, value in self.parameters.items()]
-        if isinstance(self.data, DataTable) and isinstance(self._drawn, Drawing):
+        if isinstance(self._drawn, Drawing):
             lines += [*self.data.notes(), *self._drawn.header()]
             if self.definition.is_kept:
                 lines.append(KEPT + self.data.as_json())
-        elif isinstance(self.on_screen, Figure):
-            lines += header(self.on_screen, table)
         return lines
 
     def _write_table(self, path: Path) -> None:
-        table = as_words(self.table())
-        write_table(path, table, self.comments(table))
+        write_table(path, as_words(self.table()), self.comments())
 
     def __repr__(self) -> str:
         return f"{self.call}\n{self.caption}\n.save(path) writes it, .table() has its numbers."

@@ -1,12 +1,12 @@
 """The published figures of chapter 01, with their captions."""
 
-from driftlab.book.machinery.publish import table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 
 from .. import experiments
 from . import error_motion
 
 FIGURES = (
-    table_figure(
+    FigureDefinition(
         "01-error-motion",
         experiments.error_motion,
         error_motion.ErrorMotionPicture.draw,

@@ -14,7 +14,7 @@ ANGLES = (2.0, 5.0, 10.0, 20.0, 45.0, 90.0, 180.0)
 """How far the axis of the angle may reach, degrees."""
 
 
-class ErrorMotionPicture(Picture[DataTable]):
+class ErrorMotionPicture(Picture):
     """Four components, lines for the closed form and dots for the integrator; and the angle."""
 
     size = (10.5, 3.9)

@@ -1,12 +1,12 @@
 """The published figures of chapter 02, with their captions."""
 
-from driftlab.book.machinery.publish import table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 
 from ..experiments import characteristic_roots
 from . import roots
 
 FIGURES = (
-    table_figure(
+    FigureDefinition(
         "02-roots",
         characteristic_roots,
         roots.RootsPicture.draw,

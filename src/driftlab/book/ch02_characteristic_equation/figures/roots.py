@@ -15,7 +15,7 @@ PLANE_REACHES = (3.2, 5.0, 10.0, 20.0, 50.0)
 """How far the complex plane may reach."""
 
 
-class RootsPicture(Picture[DataTable]):
+class RootsPicture(Picture):
     """Complex plane, the slow root over size, and errors over size."""
 
     size = (10.5, 4.2)

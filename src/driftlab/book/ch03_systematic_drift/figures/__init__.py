@@ -3,7 +3,7 @@
 import numpy as np
 
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import FigureDefinition, table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.book.machinery.scene.published import scene_figure
 
 from .. import experiments
@@ -63,16 +63,16 @@ FIGURES = (
         "03-turning-block",
         turned_block,
         turning_block.draw,
-        turning_block.columns,
         _block_caption,
+        columns=turning_block.columns,
     ),
-    table_figure(
+    FigureDefinition(
         "03-drift-history",
         experiments.drift_history,
         drift_history.DriftHistoryPicture.draw,
         _history_caption,
     ),
-    table_figure(
+    FigureDefinition(
         "03-drift-by-symmetry",
         experiments.drift_by_symmetry,
         drift_by_symmetry.draw,
@@ -82,7 +82,7 @@ FIGURES = (
             "one."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "03-drift-map",
         experiments.drift_map,
         drift_map.draw,
@@ -93,7 +93,7 @@ FIGURES = (
             "on the eigenvectors of the symmetric part (stars)."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "03-closed-motions",
         experiments.motion_histories,
         closed_motions.draw,

@@ -33,7 +33,7 @@ FACTORS = (200, 100, 50, 20, 10, 5, 2, 1)
 """How many times larger than it is the error of B may be drawn."""
 
 
-class DriftHistoryPicture(Picture[DataTable]):
+class DriftHistoryPicture(Picture):
     """Exaggerated triad, frames R and B at the end, and the error over the turns."""
 
     size = (10.5, 4.0)

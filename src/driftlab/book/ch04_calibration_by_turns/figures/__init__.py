@@ -3,7 +3,7 @@
 import numpy as np
 
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 
 from .. import experiments
 from ..experiment_numbers import NAMES, TRIADS
@@ -34,7 +34,7 @@ def listed(names: list[str]) -> str:
 
 
 FIGURES = (
-    table_figure(
+    FigureDefinition(
         "04-turn-bias",
         experiments.turn_bias,
         turn_bias.draw,
@@ -45,7 +45,7 @@ FIGURES = (
             f"lower the noise only ({data.runs} runs for each dot)."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "04-turn-estimates",
         experiments.turn_estimates,
         turn_estimates.TurnEstimatesPicture.draw,
@@ -56,7 +56,7 @@ FIGURES = (
             "the runs can hardly be told apart; their errors can."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "04-larin-digits",
         experiments.larin_digits,
         larin_digits.draw,
@@ -69,10 +69,10 @@ FIGURES = (
             "favourable factor, and the more favourable of rounding and cutting off."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "04-larin-free-numbers", experiments.free_numbers, free_numbers.draw, _free_caption
     ),
-    table_figure(
+    FigureDefinition(
         "04-weighing-designs",
         experiments.weighing_designs,
         weighing_designs.draw,
@@ -82,7 +82,7 @@ FIGURES = (
             "that solves for the offset is unharmed."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "04-real-table",
         experiments.real_table,
         real_table.draw,

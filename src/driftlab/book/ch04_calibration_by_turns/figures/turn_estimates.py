@@ -9,7 +9,7 @@ VALUE_REACHES = (1.5, 3.0, 5.0, 15.0, 50.0, 200.0)
 """How far the axis of the estimates may reach, mrad."""
 
 
-class TurnEstimatesPicture(Picture[DataTable]):
+class TurnEstimatesPicture(Picture):
     """Estimates over true values, and their errors."""
 
     size = (9.6, 3.8)

@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from driftlab.book.machinery.publish import table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 
 from .. import experiments
 from . import cayley_map, riccati_turns
 
 FIGURES = (
-    table_figure(
+    FigureDefinition(
         "05-cayley-map",
         experiments.cayley_map,
         cayley_map.CayleyMapPicture.draw,
@@ -19,7 +19,7 @@ FIGURES = (
             f"sign, is zero. The marks are at {np.degrees(data.angle):.0f}°."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "05-riccati-turns",
         experiments.riccati_turns,
         riccati_turns.draw,

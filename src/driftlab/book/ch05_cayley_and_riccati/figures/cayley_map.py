@@ -23,7 +23,7 @@ from driftlab.book.machinery.picture import (
 from ..experiments import REACH, VECTORS
 
 
-class CayleyMapPicture(Picture[DataTable]):
+class CayleyMapPicture(Picture):
     """The turned frame, and both vectors against the angle."""
 
     size = (10.5, 4.4)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from driftlab.attitude.measured_drift import MEASURED_STEPS
-from driftlab.book.machinery.publish import table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 
 from .. import experiments
 from . import (
@@ -17,7 +17,7 @@ from . import (
 )
 
 FIGURES = (
-    table_figure(
+    FigureDefinition(
         "06-coning-area",
         experiments.coning_area,
         coning_area.draw,
@@ -28,7 +28,7 @@ FIGURES = (
             "On the right, a pair of samples with their triangle."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "06-algorithm-orders",
         experiments.algorithm_orders,
         algorithm_orders.draw,
@@ -40,7 +40,7 @@ FIGURES = (
             "axis the rotation vectors have no error but rounding."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "06-coning-drift",
         experiments.drift_by_frequency_and_rate,
         coning_drift.draw,
@@ -49,7 +49,7 @@ FIGURES = (
             f"{MEASURED_STEPS} steps of each algorithm, lines from a single step."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "06-last-stages",
         experiments.last_stage_errors,
         last_stages.draw,
@@ -61,7 +61,7 @@ FIGURES = (
             "operations of a step, a sine counted as one."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "06-noise-and-band",
         experiments.noise_and_band,
         noise_and_band.draw,
@@ -76,7 +76,7 @@ FIGURES = (
             "carried costs about as much as the noise."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "06-functional-iteration",
         experiments.window_errors,
         functional_iteration.draw,
@@ -94,7 +94,7 @@ FIGURES = (
             "magnified; noise hides what the wider windows gain, and the widest magnifies it."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "06-short-word",
         experiments.short_word_errors,
         short_word.draw,

@@ -78,7 +78,7 @@ def draw_slopes(
             panel.text(*place, f"order {order}", color=GREY, va="center", **words)
 
 
-class AlgorithmLaboratoryPicture(Picture[DataTable]):
+class AlgorithmLaboratoryPicture(Picture):
     """Error over time at one rate, and the largest error at all rates."""
 
     size = (10.5, 4.4)

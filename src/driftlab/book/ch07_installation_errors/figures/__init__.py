@@ -1,7 +1,7 @@
 """The published figures of chapter 07, with their captions."""
 
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 
 from .. import experiments
 from . import equivalent_start, plane_axes, plane_split, split_triad
@@ -21,7 +21,7 @@ def _start_caption(data: DataTable) -> str:
 
 
 FIGURES = (
-    table_figure(
+    FigureDefinition(
         "07-plane-split",
         experiments.plane_split,
         plane_split.draw,
@@ -32,7 +32,7 @@ FIGURES = (
             f"{abs(data.non_orthogonality[0]):.2f} rad each."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "07-split-triad",
         experiments.error_matrix_parts,
         split_triad.SplitTriadPicture.draw,
@@ -43,7 +43,7 @@ FIGURES = (
             f"Errors are drawn {split_triad.exaggeration(data):g} times too large."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "07-plane-axes",
         experiments.plane_body_axes,
         plane_axes.draw,
@@ -53,7 +53,7 @@ FIGURES = (
             f"the mean of the angles {data.gyros[0]:.2f} and {data.gyros[1]:.2f} of the two gyros."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "07-equivalent-start", experiments.equivalent_start, equivalent_start.draw, _start_caption
     ),
 )

@@ -34,7 +34,7 @@ def exaggeration(table: DataTable) -> float:
     return max(step * power for step in (1.0, 2.0, 5.0) if step * power * largest <= FARTHEST)
 
 
-class SplitTriadPicture(Picture[DataTable]):
+class SplitTriadPicture(Picture):
     """Four triads with their matrices: the bent one, and what each part alone would do."""
 
     size = (10.5, 3.9)

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from types import ModuleType
 
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 
 from .. import experiments
 from . import (
@@ -33,6 +33,6 @@ _DRAWN: tuple[tuple[str, Callable[..., DataTable], ModuleType, bool], ...] = (
 """Name, what computes it, what draws it, and whether that takes minutes."""
 
 FIGURES = tuple(
-    table_figure(name, compute, module.draw, module.caption, kept=kept)
+    FigureDefinition(name, compute, module.draw, module.caption, kept=kept)
     for name, compute, module, kept in _DRAWN
 )

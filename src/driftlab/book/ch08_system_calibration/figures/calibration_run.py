@@ -45,7 +45,7 @@ def table_says(minute: float) -> str:
     return f"rests, {up} up" if minute <= end else f"turns {rotation}"
 
 
-class CalibrationRunPicture(Picture[DataTable]):
+class CalibrationRunPicture(Picture):
     """Size of the error beside three deviations, the error in deviations, and the table."""
 
     size = (10.5, 4.4)

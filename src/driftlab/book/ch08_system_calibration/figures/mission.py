@@ -14,7 +14,7 @@ LINEAR = 400e3
 """Distance up to which linear equations may do, m: a sixteenth of the Earth's radius."""
 
 
-class MissionPicture(Picture[DataTable]):
+class MissionPicture(Picture):
     """East and North over the hours, with and without Schuler's swing; and East against North."""
 
     size = (10.5, 3.9)

@@ -25,7 +25,7 @@ def caption(table: DataTable) -> str:
     )
 
 
-class TableObservabilityPicture(Picture[DataTable]):
+class TableObservabilityPicture(Picture):
     """Eigenvalues on the left, accuracy of each sensor error on the right."""
 
     def build(self) -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.checks import FloatArray
 
 from .. import experiments
@@ -69,7 +69,7 @@ def _positions_caption(data: DataTable) -> str:
 
 
 FIGURES = (
-    table_figure(
+    FigureDefinition(
         "09-alignment-budget",
         experiments.alignment_budget,
         alignment_budget.AlignmentBudgetPicture.draw,
@@ -79,22 +79,22 @@ FIGURES = (
             "degrees of the exact error here."
         ),
     ),
-    table_figure(
+    FigureDefinition(
         "09-alignment-terms", experiments.alignment_terms, alignment_terms.draw, _terms_caption
     ),
-    table_figure(
+    FigureDefinition(
         "09-over-the-vertical",
         experiments.errors_over_the_vertical,
         over_the_vertical.draw,
         _vertical_caption,
     ),
-    table_figure(
+    FigureDefinition(
         "09-averaging-window",
         experiments.heading_spread_by_window,
         averaging_window.draw,
         _averaging_caption,
     ),
-    table_figure(
+    FigureDefinition(
         "09-two-positions", experiments.two_positions, two_positions.draw, _positions_caption
     ),
 )

@@ -22,7 +22,7 @@ STEPS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 180.0)
 """How far the axes may reach, degrees."""
 
 
-class AlignmentBudgetPicture(Picture[DataTable]):
+class AlignmentBudgetPicture(Picture):
     """Bars by term on the left, the error over all headings on the right."""
 
     size = (10.5, 3.7)

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.constants import arcminute
 
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import FigureDefinition, table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.book.machinery.scene.published import scene_figure
 from driftlab.book.scenarios import SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
@@ -202,46 +202,54 @@ FIGURES = (
         "with it, in dashes, as far as they are wrong.",
         most_off,
     ),
-    table_figure("10-settling", experiments.settling_and_swing, settling.draw, _settling_caption),
-    table_figure(
+    FigureDefinition(
+        "10-settling", experiments.settling_and_swing, settling.draw, _settling_caption
+    ),
+    FigureDefinition(
         "10-pulses",
         experiments.counted_pulses,
         pulses.draw,
         _pulses_caption,
         recordings=("laser-gyro",),
     ),
-    FigureDefinition("10-block-diagram", lambda: None, block_diagram.draw, None, _block_caption),
-    table_figure(
+    FigureDefinition(
+        "10-block-diagram", lambda: None, block_diagram.draw, _block_caption, columns=None
+    ),
+    FigureDefinition(
         "10-frequency-response",
         experiments.frequency_response,
         frequency_response.draw,
         _response_caption,
     ),
-    table_figure(
+    FigureDefinition(
         "10-ballistic-error",
         experiments.ballistic_errors,
         horizons.draw_ballistic,
         _ballistic_caption,
     ),
-    table_figure("10-damping", experiments.damping_at_sea, horizons.draw_damping, _damping_caption),
-    table_figure(
+    FigureDefinition(
+        "10-damping", experiments.damping_at_sea, horizons.draw_damping, _damping_caption
+    ),
+    FigureDefinition(
         "10-operation",
         experiments.errors_under_way,
         operation.OperationPicture.draw,
         _operation_caption,
     ),
-    table_figure(
+    FigureDefinition(
         "10-operating-formula",
         experiments.operating_formula,
         operating_formula.draw,
         _formula_caption,
     ),
-    table_figure(
+    FigureDefinition(
         "10-static-characteristic",
         experiments.static_characteristic,
         static_characteristic.draw,
         _static_caption,
     ),
-    table_figure("10-restarts", experiments.restart_series, restarts.draw, _restarts_caption),
-    table_figure("10-would-it-pass", experiments.type_tests, type_tests.draw, _type_tests_caption),
+    FigureDefinition("10-restarts", experiments.restart_series, restarts.draw, _restarts_caption),
+    FigureDefinition(
+        "10-would-it-pass", experiments.type_tests, type_tests.draw, _type_tests_caption
+    ),
 )

@@ -21,7 +21,7 @@ def shade_manoeuvres(panel: Axes) -> None:
         )
 
 
-class OperationPicture(Picture[DataTable]):
+class OperationPicture(Picture):
     """Heading error, tilts of the horizon, and the two halves of the heading error."""
 
     def build(self) -> None:

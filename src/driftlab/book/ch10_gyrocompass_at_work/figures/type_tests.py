@@ -51,7 +51,7 @@ def draw(drawing: Drawing) -> None:
     legend_below_all(drawing.figure, sheet, panels["a"], 4 if sheet.on_paper else 8)
 
 
-class BarsPicture(Picture[TypeTest]):
+class BarsPicture(Picture):
     """A bar for each test, against its limit."""
 
     size = (9.0, 3.6)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 
 from .. import experiments
 from .capstone import CapstonePicture
@@ -24,5 +24,5 @@ def _caption(data: DataTable) -> str:
 
 
 FIGURES = (
-    table_figure("11-capstone", experiments.calibration_stages, CapstonePicture.draw, _caption),
+    FigureDefinition("11-capstone", experiments.calibration_stages, CapstonePicture.draw, _caption),
 )

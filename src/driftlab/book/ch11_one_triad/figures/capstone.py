@@ -28,7 +28,7 @@ DEGREES = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 25.0, 200.0)
 """How far the axes may reach."""
 
 
-class CapstonePicture(Picture[DataTable]):
+class CapstonePicture(Picture):
     """What is known, what drifts, and what the heading has of it."""
 
     size = (9.8, 4.9)

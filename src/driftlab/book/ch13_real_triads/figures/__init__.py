@@ -6,7 +6,7 @@ import numpy as np
 from scipy.constants import arcsecond, degree, hour
 
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import table_figure
+from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import PUBLISHED
 
@@ -93,7 +93,7 @@ def _allan_caption(data: DataTable) -> str:
 
 
 FIGURES = (
-    table_figure(
+    FigureDefinition(
         "13-hand-turns",
         experiments.hand_turns,
         hand_turns.draw,
@@ -114,7 +114,7 @@ FIGURES = (
         ),
         recordings=("ferraris-session",),
     ),
-    table_figure(
+    FigureDefinition(
         "13-two-calibrations",
         experiments.two_calibrations,
         two_calibrations.draw,
@@ -132,21 +132,21 @@ FIGURES = (
         ),
         recordings=("xsens-mti",),
     ),
-    table_figure(
+    FigureDefinition(
         "13-five-units",
         experiments.five_units,
         five_units.draw,
         _five_units_caption,
         recordings=experiments.UNITS,
     ),
-    table_figure(
+    FigureDefinition(
         "13-parked-car",
         experiments.parked_car,
         parked_car.draw,
         _parked_car_caption,
         recordings=("laser-gyro",),
     ),
-    table_figure(
+    FigureDefinition(
         "13-allan-plots",
         lines.allan_lines,
         allan_plots.draw,

@@ -15,7 +15,7 @@ SHORT_WORDS = ("quantisation", "angle walk", "bias instability", "rate walk", "r
 """For a column, where the long ones would reach into the points."""
 
 
-class AllanPicture(Picture[DataTable]):
+class AllanPicture(Picture):
     """Points with their intervals, five lines with their names, and their sum."""
 
     size = (10.5, 3.9)

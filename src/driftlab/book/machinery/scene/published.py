@@ -44,7 +44,10 @@ def scene_figure(
         titles = (each.title for each in view().stage(data).views)
         return f"{shows} Drawn: {'; '.join(titles)}."
 
-    return FigureDefinition(name, compute, draw, lambda data: columns(view().stage(data)), caption)
+    def table(data: Any) -> dict[str, Any]:
+        return columns(view().stage(data))
+
+    return FigureDefinition(name, compute, draw, caption, columns=table)
 
 
 def columns(stage: Stage) -> dict[str, Any]:
