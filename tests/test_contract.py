@@ -43,10 +43,10 @@ from driftlab.calibration import (
     error_dynamics,
     filter,
     kalman,
-    nominal_readings,
-    piecewise_observability,
+    matrix_conventions,
+    observability,
     simulation as calibration_simulation,
-    static_error_curves,
+    static_error_growth,
     static_navigation,
 )
 from driftlab.drift import (
@@ -337,20 +337,21 @@ APART = {
     increments.compensate,
     increments.checked_increments,
     error_dynamics.free_transition,
-    piecewise_observability.error_rates,  # one attitude and one rate
+    observability.error_rates,  # one attitude and one rate
     filter.calibrate,
     kalman.correct,
     calibration_simulation.estimation_errors,
     body_axes.attitude_of_axes,
     body_axes.attitude_error,
     static_navigation.navigate_static,
-    static_error_curves.static_causes,
-    static_error_curves.static_errors,
-    static_error_curves.schuler_position,
+    static_error_growth.checked_moments,  # a row
+    static_error_growth.static_causes,
+    static_error_growth.static_errors,
+    static_error_growth.schuler_position,
     error_budget.mission_errors,
     error_budget.mission_causes,
     error_budget.calibration_budget,
-    nominal_readings.checked_zeros,
+    matrix_conventions.checked_zeros,
     levelling.propagate_level_frame,
     inertial_alignment.align_in_inertial_frame,
     two_position_alignment.align_in_positions,  # its positions share an axis

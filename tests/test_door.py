@@ -146,7 +146,7 @@ def test_overview_names_every_module():
         ("lever arm", "higher_order_errors"),
         ("time skew", "higher_order_errors"),
         ("innovation", "calibration.kalman"),
-        ("Foucault", "calibration.schuler_pair"),
+        ("Foucault", "calibration.static_error_growth"),
         ("Bode", "gyrocompass.levelling_loop"),
         ("frequency response", "gyrocompass.levelling_loop"),
     ],

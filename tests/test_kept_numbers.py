@@ -10,8 +10,8 @@ import pytest
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm
 from driftlab.attitude.functional_iteration import FunctionalIteration
-from driftlab.calibration.design_task import DesignTask
-from driftlab.calibration.nominal_readings import NominalReadings
+from driftlab.calibration.matrix_conventions import NominalReadings
+from driftlab.calibration.scheme_design import DesignTask
 from driftlab.calibration.simulation import TableTrial
 from driftlab.drift.turn_calibration import TurnExperiment
 from driftlab.gyrocompass.noise import GyroNoise

@@ -16,10 +16,10 @@ from driftlab.calibration import (
     error_budget,
     error_model,
     filter,
-    piecewise_observability,
-    static_error_curves,
+    observability,
+    simulation,
+    static_error_growth,
     static_navigation,
-    trial,
 )
 from driftlab.checks import finite_array
 from driftlab.drift import error_kinematics, turn_calibration, weighing_designs
@@ -60,7 +60,7 @@ FOUND = calibrated(STILL.attitude[0])
 
 def static_causes_of(name, attitude):
     given = {"attitude": ONE, "start": ONE, "reference": ONE} | {name: attitude}
-    return static_error_curves.static_causes(NO_ERRORS, NO_ERRORS, latitude=LATITUDE, **given)
+    return static_error_growth.static_causes(NO_ERRORS, NO_ERRORS, latitude=LATITUDE, **given)
 
 
 def navigated(name, attitude):
@@ -97,7 +97,7 @@ CASES = {
     body_axes.attitude_of_axes: {
         "attitude": (lambda q: body_axes.attitude_of_axes(q, np.eye(3)), GRID)
     },
-    static_error_curves.static_causes: {
+    static_error_growth.static_causes: {
         name: (partial(static_causes_of, name), ONE) for name in ("attitude", "start", "reference")
     },
     static_navigation.navigate_static: {
@@ -114,13 +114,13 @@ CASES = {
     error_model.ErrorModel.covariance: {
         "attitude": (lambda q: MODEL.covariance(PriorDeviations(), q), ONE)
     },
-    piecewise_observability.error_rates: {
-        "attitude": (lambda q: piecewise_observability.error_rates(MODEL, LATITUDE, q), ONE)
+    observability.error_rates: {
+        "attitude": (lambda q: observability.error_rates(MODEL, LATITUDE, q), ONE)
     },
     filter.calibrate: {"start": (lambda q: calibrated(q).innovations, ONE)},
-    trial.estimation_errors: {
+    simulation.estimation_errors: {
         "attitude": (
-            lambda q: trial.estimation_errors(FOUND, NO_ERRORS, q),
+            lambda q: simulation.estimation_errors(FOUND, NO_ERRORS, q),
             random_quaternions(len(FOUND.attitude), seed=4),
         )
     },

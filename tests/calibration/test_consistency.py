@@ -18,7 +18,7 @@ from driftlab.calibration import (
     calibrate,
     innovation_test,
 )
-from driftlab.calibration._evidence import Expected, evidence
+from driftlab.calibration._contradictions import Expected, evidence
 from driftlab.calibration._slips import FITS
 from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise, PriorDeviations, random_imu_errors
 from driftlab.increments import Increments, measure

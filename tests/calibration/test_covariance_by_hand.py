@@ -10,8 +10,8 @@ from scipy.constants import degree, g, hour, micro
 import covariance_by_hand
 from covariance_by_hand import ARC_SECOND, LATITUDE, deviations
 from driftlab.calibration.covariance import covariance_analysis, deviation_history
+from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.simulation import TableTrial
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from driftlab.calibration import ERROR_MODELS, InconsistentWarning, calibrate, innovation_test
-from driftlab.calibration._evidence import evidence
+from driftlab.calibration._contradictions import evidence
 from driftlab.calibration._judge import Judge, Told
 from driftlab.checks import UnusualWarning
 from driftlab.earth import EARTH_RATE

@@ -12,7 +12,7 @@ from driftlab.calibration.error_budget import (
     mission_errors,
 )
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.static_error_curves import STATIC_CAUSES, static_causes, static_errors
+from driftlab.calibration.static_error_growth import STATIC_CAUSES, static_causes, static_errors
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align
 from driftlab.imu import NO_ERRORS, PriorDeviations

@@ -9,20 +9,27 @@ from scipy.constants import arcsecond, degree, g, hour, micro
 from scipy.stats import chi2, norm
 
 from driftlab.calibration import FULL, Calibration, InnovationTest
-from driftlab.calibration._doubt import LARGE_BIAS, TAKE_THE_MEAN, _advice
-from driftlab.calibration._evidence import Evidence, Expected, evidence, thinned
-from driftlab.calibration._innovations import (
+from driftlab.calibration._contradictions import (
     BEYOND,
+    Evidence,
+    Expected,
+    _random_walk,
+    _unit,
     beyond_prior,
     contradiction,
-    normalised_innovations,
+    evidence,
     second_order,
+    thinned,
 )
+from driftlab.calibration._doubt import LARGE_BIAS, TAKE_THE_MEAN, _advice
 from driftlab.calibration._judge import Judge, Told
 from driftlab.calibration._other_starts import headed, levelled, other_starts
 from driftlab.calibration._slips import _ORDERS, _interval_slip, _rescaled, _turned
-from driftlab.calibration._told_noise import _random_walk, _unit
-from driftlab.calibration.consistency import CONFIDENCE, innovation_test
+from driftlab.calibration.calibration_history import (
+    CONFIDENCE,
+    innovation_test,
+)
+from driftlab.calibration.filter import _normalised_innovations
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
@@ -243,7 +250,7 @@ def test_normalised_innovations_have_the_nis_for_square():
     rng = np.random.default_rng(2)
     half, innovation = rng.normal(size=(4, 3, 3)), rng.normal(size=(4, 3))
     predicted = half @ np.swapaxes(half, -1, -2)
-    found = normalised_innovations(innovation, predicted, 0.3)
+    found = _normalised_innovations(innovation, predicted, 0.3)
     nis = [
         v @ np.linalg.inv(p + 0.3 * np.eye(3)) @ v
         for v, p in zip(innovation, predicted, strict=True)

@@ -5,10 +5,9 @@ import re
 import numpy as np
 import pytest
 
-from driftlab.calibration._updates import updates
 from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.filter import calibrate
+from driftlab.calibration.filter import _updates, calibrate
 from driftlab.calibration.simulation import TableTrial
 from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise, PriorDeviations, random_imu_errors
 from driftlab.increments import Increments, measure
@@ -472,25 +471,25 @@ def test_updates_that_do_not_halve_evenly_are_refused(shape):
 
 
 def test_a_table_that_stands_is_looked_at_each_second_if_nothing_is_said():
-    ends, velocities = updates(4000, 0.001, None, None, None)
+    ends, velocities = _updates(4000, 0.001, None, None, None)
     assert list(ends) == [1000, 2000, 3000, 4000]
     np.testing.assert_array_equal(velocities, np.zeros((4, 3)))
 
 
 def test_one_velocity_for_the_whole_record_is_one_update():
-    ends, velocities = updates(24, 0.25, np.zeros((1, 3)), None, None)
+    ends, velocities = _updates(24, 0.25, np.zeros((1, 3)), None, None)
     assert list(ends) == [24]
     assert velocities.shape == (1, 3)
 
 
 def test_half_an_interval_after_the_start_is_a_time_of_a_reference():
-    ends, velocities = updates(8, 0.25, [[1.0, 2.0, 3.0]] * 2, [0.125, 2.0], None)
+    ends, velocities = _updates(8, 0.25, [[1.0, 2.0, 3.0]] * 2, [0.125, 2.0], None)
     assert list(ends) == [2, 8]
     np.testing.assert_array_equal(velocities, [[1.0, 2.0, 3.0]] * 2)
     with pytest.raises(
         ValueError, match=r"from half an interval, 0\.125 s, to 2 s, got .* 0\.12 to"
     ):
-        updates(8, 0.25, None, [0.12, 2.0], None)
+        _updates(8, 0.25, None, [0.12, 2.0], None)
 
 
 NOT_FINITE = "finite numbers, got 1 NaN or infinite"

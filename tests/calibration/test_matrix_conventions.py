@@ -9,10 +9,15 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.body_frames import body_frame_rotation
 from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
-from driftlab.calibration.biases_behind_matrix import PsinsMatrices, RosMatrices
 from driftlab.calibration.body_axes import imu_errors_in_accelerometer_axes
-from driftlab.calibration.matrix_conventions import ImucalMatrices, ImuTkMatrices, KalibrMatrices
-from driftlab.calibration.nominal_readings import NominalReadings
+from driftlab.calibration.matrix_conventions import (
+    ImucalMatrices,
+    ImuTkMatrices,
+    KalibrMatrices,
+    NominalReadings,
+    PsinsMatrices,
+    RosMatrices,
+)
 from driftlab.imu import NO_ERRORS, ImuErrors
 from support import EPS, largest
 

@@ -8,10 +8,10 @@ import pytest
 from scipy.linalg import null_space, subspace_angles
 from scipy.spatial.transform import Rotation
 
-from driftlab.calibration import linearization
+from driftlab.calibration import error_dynamics
 from driftlab.calibration.covariance import covariance_analysis
+from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
-from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import (
     UnobservableWarning,
     observability_matrix,
@@ -121,8 +121,8 @@ def test_short_pauses_show_as_much_as_many_measurements_in_them(
     """What counts is what a continuous measurement could show, not how few steps there are."""
     scheme = Scheme(rotations, dwell=dwell, rate=np.radians(rate))
     found = unobservable_subspace(linearize_along(scheme, 0.7, ERROR_MODELS["averaged"]))
-    monkeypatch.setattr(linearization, "_STEP", 0.5)
-    monkeypatch.setattr(linearization, "_TURN", np.radians(5.0))
+    monkeypatch.setattr(error_dynamics, "_STEP", 0.5)
+    monkeypatch.setattr(error_dynamics, "_TURN", np.radians(5.0))
     fine = unobservable_subspace(linearize_along(scheme, 0.7, ERROR_MODELS["averaged"]))
     assert len(found.directions) == len(fine.directions)
 
@@ -274,7 +274,7 @@ def test_passage_takes_as_long_as_the_scheme(scheme):
     turned = sum(abs(angle) for _, angle in scheme.turns)
     expected = scheme.positions * scheme.dwell + turned / scheme.rate
     assert way.durations.sum() == pytest.approx(expected, rel=1e-12)
-    assert way.durations.max() <= linearization._STEP
+    assert way.durations.max() <= error_dynamics._STEP
     assert way.transitions.shape == (len(way.durations), 27, 27)
     np.testing.assert_array_equal(way.start, scheme.start_attitude)
 
@@ -315,8 +315,8 @@ def test_steps_may_be_shorter(monkeypatch):
     The measurements of a step count as one at its end: what drifts meanwhile looks better known.
     """
     found = []
-    for step in (linearization._STEP, 2.0):
-        monkeypatch.setattr(linearization, "_STEP", step)
+    for step in (error_dynamics._STEP, 2.0):
+        monkeypatch.setattr(error_dynamics, "_STEP", step)
         way = linearize_along(NINETEEN_POSITIONS, LATITUDE, AVERAGED)
         covariance = covariance_analysis(way, ImuNoise(), PriorDeviations())
         found.append((len(way.durations), np.sqrt(np.diag(covariance))[6:]))

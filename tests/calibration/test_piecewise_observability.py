@@ -8,15 +8,15 @@ import pytest
 from scipy.linalg import expm, subspace_angles
 from scipy.spatial.transform import Rotation
 
-from driftlab.calibration._observable_rows import observable_rows
-from driftlab.calibration.error_dynamics import free_transition
+from driftlab.calibration.error_dynamics import free_transition, linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
-from driftlab.calibration.linearization import linearize_along
-from driftlab.calibration.observability import gramian_ranks, unobservable_subspace
-from driftlab.calibration.piecewise_observability import (
+from driftlab.calibration.observability import (
     TURN_TREATMENTS,
+    _observable_rows,
     error_rates,
+    gramian_ranks,
     stripped_observability as stripped,
+    unobservable_subspace,
 )
 from driftlab.earth import earth_rate, gravity
 from driftlab.imu import PriorDeviations
@@ -92,7 +92,7 @@ def test_powers_and_rounds_find_the_same_rows():
     seen = np.zeros((1, 7))
     seen[0, :4] = rng.standard_normal(4)
     rates, seen = basis @ rates @ basis.T, seen @ basis.T
-    rows = observable_rows(rates, seen)
+    rows = _observable_rows(rates, seen)
     powers = np.concatenate([seen @ np.linalg.matrix_power(rates, k) for k in range(7)])
     assert rows.shape == (4, 7)
     np.testing.assert_allclose(rows @ rows.T, np.eye(4), atol=1e-14)
@@ -115,7 +115,7 @@ def test_a_resting_system_of_twelve_states_hides_three():
     Their ten states leave out the vertical velocity and accelerometer, and show seven.
     """
     rates, sizes = twelve_states(LATITUDE)
-    rows = observable_rows(rates, np.eye(12)[3:6])
+    rows = _observable_rows(rates, np.eye(12)[3:6])
     assert len(rows) == 9
     g, (_, north, up) = float(gravity(LATITUDE)), earth_rate(LATITUDE)
     hidden = np.zeros((3, 12))
@@ -130,14 +130,14 @@ def test_a_resting_system_of_twelve_states_hides_three():
     # Both are of length one, so products of twelve components are rounded by a few eps.
     assert np.abs(rows @ hidden.T).max() < 64 * EPS
     ten = [i for i in range(12) if i not in (5, 11)]
-    assert len(observable_rows(rates[np.ix_(ten, ten)], np.eye(10)[3:5])) == 7
+    assert len(_observable_rows(rates[np.ix_(ten, ten)], np.eye(10)[3:5])) == 7
 
 
 def test_taking_the_three_out_leaves_a_system_that_shows_all():
     """What the classical papers do: no states for the level accelerometers and the East gyro."""
     rates, _ = twelve_states(LATITUDE)
     kept = [i for i in range(12) if i not in (6, 9, 10)]
-    assert len(observable_rows(rates[np.ix_(kept, kept)], np.eye(9)[3:6])) == 9
+    assert len(_observable_rows(rates[np.ix_(kept, kept)], np.eye(9)[3:6])) == 9
 
 
 # Schemes

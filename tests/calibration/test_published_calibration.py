@@ -9,7 +9,7 @@ import pytest
 from scipy.constants import arcsecond, degree, hour, micro
 from scipy.spatial.transform import Rotation
 
-from driftlab.calibration.consistency import InconsistentWarning
+from driftlab.calibration.calibration_history import InconsistentWarning
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.filter import calibrate
 from driftlab.higher_order_errors import HigherOrderErrors

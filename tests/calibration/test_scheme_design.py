@@ -9,10 +9,9 @@ import numpy as np
 import pytest
 
 from driftlab.calibration.covariance import covariance_analysis
-from driftlab.calibration.design_task import CRITERIA, DesignTask
+from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import FULL
-from driftlab.calibration.linearization import linearize_along
-from driftlab.calibration.scheme_design import _neighbours, design_scheme
+from driftlab.calibration.scheme_design import CRITERIA, DesignTask, _neighbours, design_scheme
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, SCHEMES, Scheme
 from driftlab.motion.turntable import segments

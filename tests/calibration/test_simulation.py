@@ -13,9 +13,9 @@ from scipy.stats import binom, chi2, norm
 
 from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from driftlab.calibration.covariance import covariance_analysis
+from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.filter import Calibration
-from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import UnobservableWarning
 from driftlab.calibration.simulation import TableTrial, Trial, estimation_errors
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors, ImuNoise, PriorDeviations, random_imu_errors

@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from driftlab.calibration.schuler_pair import static_error_rates
-from driftlab.calibration.static_error_curves import schuler_position, static_causes, static_errors
 from driftlab.calibration.static_error_growth import (
     STATIC_CAUSES,
+    schuler_position,
+    static_causes,
     static_error_matrix,
     static_error_modes,
+    static_error_rates,
+    static_errors,
 )
 from driftlab.calibration.static_navigation import navigate_static
 from driftlab.core.strapdown import CHUNK

@@ -1,33 +1,20 @@
 from . import (
-    biases_behind_matrix as biases_behind_matrix,
     body_axes as body_axes,
     calibration_history as calibration_history,
-    consistency as consistency,
     covariance as covariance,
-    design_task as design_task,
     error_budget as error_budget,
     error_dynamics as error_dynamics,
     error_model as error_model,
     filter as filter,
     interchange as interchange,
     kalman as kalman,
-    linearization as linearization,
     matrix_conventions as matrix_conventions,
-    nominal_readings as nominal_readings,
     observability as observability,
-    piecewise_observability as piecewise_observability,
     poses as poses,
     scheme_design as scheme_design,
-    schuler_pair as schuler_pair,
     simulation as simulation,
-    static_error_curves as static_error_curves,
     static_error_growth as static_error_growth,
     static_navigation as static_navigation,
-    trial as trial,
-)
-from .biases_behind_matrix import (
-    PsinsMatrices as PsinsMatrices,
-    RosMatrices as RosMatrices,
 )
 from .body_axes import (
     attitude_error as attitude_error,
@@ -37,8 +24,6 @@ from .body_axes import (
 )
 from .calibration_history import (
     Calibration as Calibration,
-)
-from .consistency import (
     InconsistentWarning as InconsistentWarning,
     InnovationTest as InnovationTest,
     innovation_test as innovation_test,
@@ -47,10 +32,6 @@ from .covariance import (
     covariance_analysis as covariance_analysis,
     deviation_history as deviation_history,
 )
-from .design_task import (
-    CRITERIA as CRITERIA,
-    DesignTask as DesignTask,
-)
 from .error_budget import (
     MissionErrors as MissionErrors,
     calibration_budget as calibration_budget,
@@ -58,8 +39,11 @@ from .error_budget import (
     mission_errors as mission_errors,
 )
 from .error_dynamics import (
+    LinearizedErrors as LinearizedErrors,
+    checked_model as checked_model,
     free_rates as free_rates,
     free_transition as free_transition,
+    linearize_along as linearize_along,
     process_noise as process_noise,
     transition as transition,
     transition_of_increments as transition_of_increments,
@@ -88,33 +72,26 @@ from .kalman import (
     nees as nees,
     predict as predict,
 )
-from .linearization import (
-    LinearizedErrors as LinearizedErrors,
-    checked_model as checked_model,
-    linearize_along as linearize_along,
-)
 from .matrix_conventions import (
+    SI_READINGS as SI_READINGS,
     ImucalMatrices as ImucalMatrices,
     ImuTkMatrices as ImuTkMatrices,
     KalibrMatrices as KalibrMatrices,
-)
-from .nominal_readings import (
-    SI_READINGS as SI_READINGS,
     NominalReadings as NominalReadings,
+    PsinsMatrices as PsinsMatrices,
+    RosMatrices as RosMatrices,
 )
 from .observability import (
-    UnobservableSubspace as UnobservableSubspace,
-    UnobservableWarning as UnobservableWarning,
-    gramian_ranks as gramian_ranks,
-    observability_matrix as observability_matrix,
-    unobservable_subspace as unobservable_subspace,
-    warn_if_unobservable as warn_if_unobservable,
-)
-from .piecewise_observability import (
     TURN_TREATMENTS as TURN_TREATMENTS,
     StrippedObservability as StrippedObservability,
+    UnobservableSubspace as UnobservableSubspace,
+    UnobservableWarning as UnobservableWarning,
     error_rates as error_rates,
+    gramian_ranks as gramian_ranks,
+    observability_matrix as observability_matrix,
     stripped_observability as stripped_observability,
+    unobservable_subspace as unobservable_subspace,
+    warn_if_unobservable as warn_if_unobservable,
 )
 from .poses import (
     POSE_AXES as POSE_AXES,
@@ -123,34 +100,30 @@ from .poses import (
     calibrate_by_poses as calibrate_by_poses,
 )
 from .scheme_design import (
+    CRITERIA as CRITERIA,
     Climb as Climb,
+    DesignTask as DesignTask,
     SchemeDesign as SchemeDesign,
     design_scheme as design_scheme,
 )
-from .schuler_pair import (
-    StaticErrorRates as StaticErrorRates,
-    static_error_rates as static_error_rates,
-)
 from .simulation import (
     TableTrial as TableTrial,
-)
-from .static_error_curves import (
-    schuler_position as schuler_position,
-    static_causes as static_causes,
-    static_errors as static_errors,
+    Trial as Trial,
+    estimation_errors as estimation_errors,
 )
 from .static_error_growth import (
     STATIC_CAUSES as STATIC_CAUSES,
     STATIC_MODES as STATIC_MODES,
     StaticErrorModes as StaticErrorModes,
+    StaticErrorRates as StaticErrorRates,
+    schuler_position as schuler_position,
+    static_causes as static_causes,
     static_error_matrix as static_error_matrix,
     static_error_modes as static_error_modes,
+    static_error_rates as static_error_rates,
+    static_errors as static_errors,
 )
 from .static_navigation import (
     StaticNavigationErrors as StaticNavigationErrors,
     navigate_static as navigate_static,
-)
-from .trial import (
-    Trial as Trial,
-    estimation_errors as estimation_errors,
 )

@@ -13,13 +13,20 @@ from driftlab.checks import FloatArray
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
 
-from ._evidence import Expected, evidence
-from ._innovations import BEYOND, SECOND_ORDER, beyond_prior, contradiction, second_order
+from ._contradictions import (
+    BEYOND,
+    LARGER,
+    SECOND_ORDER,
+    Expected,
+    beyond_prior,
+    contradiction,
+    evidence,
+    second_order,
+    told_noise,
+)
 from ._judge import Judge, Told
 from ._slips import FITS, likely_slips
-from ._told_noise import LARGER, told_noise
-from .calibration_history import Calibration
-from .consistency import InconsistentWarning, innovation_test
+from .calibration_history import Calibration, InconsistentWarning, innovation_test
 from .error_model import ErrorModel
 
 _ONCE_MORE = (

@@ -19,11 +19,8 @@ from driftlab.checks import FloatArray
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
 
-from ._earlier_pass import linearization_point
-from ._evidence import thinned
-from ._innovations import beyond_prior, contradiction
-from .calibration_history import Calibration
-from .consistency import innovation_test
+from ._contradictions import beyond_prior, contradiction, thinned
+from .calibration_history import Calibration, innovation_test
 from .error_model import ErrorModel
 
 LOOSE = 5 * degree
@@ -84,7 +81,7 @@ class Judge:
         rows, found = self._run(other, model or self.model, *self.steps)
         if found is None or not _right(found, self.prior, other):
             return None
-        return linearization_point(rows, other.latitude, found)[1]
+        return found._linearization_point(rows, other.latitude)[1]
 
     def latitude(self, other: Told) -> tuple[float, float]:
         """The latitude that fits best, near one, and its deviation, rad: the innovations are linear

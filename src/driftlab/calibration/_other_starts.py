@@ -9,7 +9,7 @@ import numpy as np
 from driftlab.checks import FloatArray
 from driftlab.core import quaternion
 
-from ._evidence import Evidence, Expected
+from ._contradictions import Evidence, Expected
 
 _UP = np.array([0.0, 0.0, 1.0])
 _FRAMES = {

@@ -22,8 +22,7 @@ from driftlab.increments import Increments
 from driftlab.recordings.guards import doubts, force_factors, gyro_factors
 from driftlab.recordings.recording import Recording
 
-from ._evidence import Evidence, Expected, evidence, thinned
-from ._innovations import BEYOND
+from ._contradictions import BEYOND, Evidence, Expected, evidence, thinned
 from ._judge import Judge, Told
 from ._other_starts import headed, levelled, other_starts
 

@@ -23,11 +23,10 @@ from driftlab.checks import (
 from driftlab.core.quaternion import to_matrix
 from driftlab.earth import EARTH_RATE, checked_latitude, earth_rate, gravity
 
-from ._moments import checked_moments
 from .calibration_history import Calibration
+from .error_dynamics import checked_model
 from .error_model import ErrorModel
-from .linearization import checked_model
-from .static_error_growth import STATIC_CAUSES, static_error_modes
+from .static_error_growth import STATIC_CAUSES, checked_moments, static_error_modes
 
 
 class MissionErrors(NamedTuple):

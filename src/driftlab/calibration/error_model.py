@@ -10,37 +10,130 @@ sensor error that remains after compensation is true minus assumed.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 from threading import Lock
 from types import MappingProxyType
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.body_frames import misalignment_vector
-from driftlab.checks import FloatArray, checked_instance, one_of, one_quaternion, shown
+from driftlab.checks import (
+    FloatArray,
+    checked_instance,
+    finite_array,
+    one_of,
+    one_quaternion,
+    shown,
+)
 from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
-from driftlab.imu import PriorDeviations
-
-from . import _higher_order_states as higher
-from ._state_layout import StateLayout
-from ._triad_bases import (
-    AXES as AXES,
-    DIAGONAL,
-    LOWER,
-    OFF_DIAGONAL,
-    UPPER,
-    named,
-    units,
+from driftlab.higher_order_errors import (
+    NO_HIGHER_ORDER_ERRORS,
+    HigherOrderErrors,
+    checked_higher_order_errors,
 )
+from driftlab.imu import ImuErrors, PriorDeviations
+from driftlab.increments import Increments, without_errors
+
+AXES = "xyz"
+DIAGONAL = [(i, i) for i in range(3)]
+UPPER = [(0, 1), (0, 2), (1, 2)]
+LOWER = [(1, 0), (2, 0), (2, 1)]
+OFF_DIAGONAL = [(0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)]
+
+
+def _combined(coefficients: FloatArray, basis: FloatArray) -> FloatArray:
+    """Matrices (..., 3, 3) with m coefficients (..., m) in a basis (m, 3, 3)."""
+    matrices: FloatArray = coefficients @ basis.reshape(-1, 9)
+    return matrices.reshape(*coefficients.shape[:-1], 3, 3)
+
+
+def _units(places: list[tuple[int, int]]) -> FloatArray:
+    """Matrices (m, 3, 3) with a one at each of the places."""
+    basis = np.zeros((len(places), 3, 3))
+    for matrix, place in zip(basis, places, strict=True):
+        matrix[place] = 1.0
+    return basis
+
+
+def _named(kind: str, places: list[tuple[int, int]]) -> list[str]:
+    """Names of the entries at the places."""
+    return [f"{kind} {AXES[i]}" if i == j else f"{kind} {AXES[i]}{AXES[j]}" for i, j in places]
+
+
+_PAIRS = [f"{i}{j}" for i in AXES for j in AXES]
+
+
+class _Group(NamedTuple):
+    """States that are chosen together: a field of `HigherOrderErrors`, row by row."""
+
+    field: str
+    prior: str
+    names: tuple[str, ...]
+
+
+GROUPS = MappingProxyType({
+    "lever arms": _Group(
+        "lever_arms", "lever_arm", tuple(f"accelerometer lever arm {pair}" for pair in _PAIRS)
+    ),
+    "time skew": _Group("time_skew", "time_skew", ("accelerometer time skew",)),
+    "accelerometer quadratic": _Group(
+        "accelerometer_quadratic",
+        "accelerometer_quadratic",
+        tuple(f"accelerometer quadratic {axis}" for axis in AXES),
+    ),
+    "gyro g-sensitivity": _Group(
+        "gyro_g_sensitivity",
+        "gyro_g_sensitivity",
+        tuple(f"gyro g-sensitivity {pair}" for pair in _PAIRS),
+    ),
+})  # fmt: skip
+"""What can be added to the states of bias and matrix."""
+
+
+def checked_groups(chosen: tuple[str, ...]) -> tuple[str, ...]:
+    """Return chosen groups in the order of `GROUPS`, each once, refusing unknown ones."""
+    for name in chosen:
+        if not isinstance(name, str) or name not in GROUPS:
+            raise ValueError(f"states: expected some of {', '.join(GROUPS)}, got {shown(name)}.")
+    return tuple(name for name in GROUPS if name in chosen)
+
+
+def _unpacked(values: FloatArray, chosen: tuple[str, ...]) -> HigherOrderErrors:
+    """Errors (...) of states (..., m); zero for the groups that are not chosen."""
+    fields, begin = {}, 0
+    for name in chosen:
+        group = GROUPS[name]
+        part = values[..., begin : begin + len(group.names)]
+        shape = getattr(NO_HIGHER_ORDER_ERRORS, group.field).shape
+        fields[group.field] = part.reshape((*values.shape[:-1], *shape))
+        begin += len(group.names)
+    return NO_HIGHER_ORDER_ERRORS._replace(**fields)
+
+
+def _packed(higher_order: HigherOrderErrors, chosen: tuple[str, ...]) -> FloatArray:
+    """States (..., m) of errors (...)."""
+    errors = checked_higher_order_errors(higher_order)
+    lead = errors.time_skew.shape
+    parts = [getattr(errors, GROUPS[name].field).reshape(*lead, -1) for name in chosen]
+    return np.concatenate([np.zeros((*lead, 0)), *parts], axis=-1)
+
+
+def _prior_deviations(prior: PriorDeviations, chosen: tuple[str, ...]) -> FloatArray:
+    """Standard deviations (m,) of the states before a calibration."""
+    groups = [GROUPS[name] for name in chosen]
+    return np.array([getattr(prior, group.prior) for group in groups for _ in group.names])
+
 
 _ONE_AT_A_TIME = Lock()
 LOCAL_AXES = ("East", "North", "Up")
 
 
-class ErrorModel(StateLayout):
+@dataclass(frozen=True, eq=False)
+class ErrorModel:
     """Error model of a calibration filter: its states, body axes and prior.
 
     Attributes
@@ -61,10 +154,161 @@ class ErrorModel(StateLayout):
     (27, 'gyro non-orthogonality xy')
     """
 
+    frame: str | None
+    gyro_basis: FloatArray
+    accelerometer_basis: FloatArray
+    names: tuple[str, ...]
+    higher_order: tuple[str, ...] = ()
+
     def __repr__(self) -> str:
         axes = "any body axes" if self.frame is None else f"axes {self.frame!r}"
         more = f", with {', '.join(self.higher_order)}" if self.higher_order else ""
         return f"<ErrorModel of {self.size} states, {axes}{more}>"
+
+    @property
+    def size(self) -> int:
+        """Number of states.
+
+        Returns
+        -------
+        int
+            27, or 30 for the model of all states; more with states by choice.
+
+        Examples
+        --------
+        >>> from driftlab.calibration import ERROR_MODELS, FULL
+        >>> ERROR_MODELS["upper triangle"].size, FULL.size
+        (27, 30)
+        """
+        return len(self.names)
+
+    @property
+    def triad_states(self) -> int:
+        """Number of states before those of higher order: 27 or 30.
+
+        Returns
+        -------
+        int
+
+        Examples
+        --------
+        >>> from driftlab.calibration import FULL
+        >>> FULL.with_states("time skew").triad_states
+        30
+        """
+        return 12 + len(self.gyro_basis) + len(self.accelerometer_basis)
+
+    def imu_errors(self, state: ArrayLike) -> ImuErrors:
+        """Sensor errors that a state vector describes.
+
+        Parameters
+        ----------
+        state : array_like, shape (..., size)
+            Its attitude and velocity errors are ignored.
+
+        Returns
+        -------
+        ImuErrors
+            Biases (..., 3) in rad/s and m/s^2 and error matrices (..., 3, 3), in the model's own
+            body axes.
+
+        Examples
+        --------
+        The off-diagonal states of averaged axes are symmetric in the gyros' matrix:
+
+        >>> from driftlab.calibration import ERROR_MODELS
+        >>> model = ERROR_MODELS["averaged"]
+        >>> model.imu_errors(np.arange(27.0)).gyro_error
+        array([[ 9., 12., 13.],
+               [12., 10., 14.],
+               [13., 14., 11.]])
+        """
+        return self._imu_errors(finite_array(state, "state", self.size))
+
+    def _imu_errors(self, state: FloatArray) -> ImuErrors:
+        """`imu_errors` of a state that is computed, whatever has become of it."""
+        middle = 9 + len(self.gyro_basis)
+        return ImuErrors(  # nothing of the state itself, which who reads it could change
+            state[..., 6:9].copy(),
+            _combined(state[..., 9:middle], self.gyro_basis),
+            state[..., middle : middle + 3].copy(),
+            _combined(state[..., middle + 3 : self.triad_states], self.accelerometer_basis),
+        )
+
+    def higher_order_errors(self, state: ArrayLike) -> HigherOrderErrors:
+        """Return what a state vector says of the errors of higher order.
+
+        Parameters
+        ----------
+        state : array_like, shape (..., size)
+
+        Returns
+        -------
+        HigherOrderErrors
+            Zero where the model has no states for them.
+
+        Examples
+        --------
+        >>> from driftlab.calibration import FULL
+        >>> late = FULL.with_states("time skew")
+        >>> float(late.higher_order_errors(np.arange(31.0)).time_skew)
+        30.0
+        """
+        return self._higher_order_errors(finite_array(state, "state", self.size))
+
+    def _higher_order_errors(self, state: FloatArray) -> HigherOrderErrors:
+        return _unpacked(state[..., self.triad_states :].copy(), self.higher_order)
+
+    def _corrected(
+        self, measured: Increments, state: FloatArray, rate_change: FloatArray | None = None
+    ) -> Increments:
+        """Increments (..., n, 3) without the errors of a state (..., size); see
+        `driftlab.increments.without_errors`."""
+        more = self._higher_order_errors(state) if self.higher_order else None
+        return without_errors(measured, self._imu_errors(state), more, rate_change)
+
+    def state(
+        self, imu_errors: ImuErrors, higher_order: HigherOrderErrors | None = None
+    ) -> FloatArray:
+        """State vector of given sensor errors, with attitude and velocity errors zero.
+
+        Parameters
+        ----------
+        imu_errors : ImuErrors
+            Sensor errors (...) in the model's own body axes. Whatever part of a matrix is outside
+            the span of the model's basis is dropped.
+        higher_order : HigherOrderErrors, optional
+            Zero if not given; what the model has no states for is dropped.
+
+        Returns
+        -------
+        ndarray, shape (..., size)
+            In the order of `names`; SI units.
+
+        Examples
+        --------
+        >>> from driftlab.calibration import FULL
+        >>> from driftlab.imu import TYPICAL_ERRORS
+        >>> state = FULL.state(TYPICAL_ERRORS)
+        >>> again = FULL.imu_errors(state)
+        >>> state.shape, bool(np.allclose(again.gyro_error, TYPICAL_ERRORS.gyro_error))
+        ((30,), True)
+        """
+        checked_instance(imu_errors, ImuErrors, "imu_errors")
+        of_gyros, of_accelerometers = (
+            # The matrices of a basis have no entries in common.
+            np.tensordot(matrix, basis, ([-2, -1], [1, 2])) / (basis**2).sum(axis=(1, 2))
+            for matrix, basis in (
+                (imu_errors.gyro_error, self.gyro_basis),
+                (imu_errors.accelerometer_error, self.accelerometer_basis),
+            )
+        )
+        parts = [np.zeros(6), imu_errors.gyro_bias, of_gyros]
+        parts += [imu_errors.accelerometer_bias, of_accelerometers]
+        more = NO_HIGHER_ORDER_ERRORS if higher_order is None else higher_order
+        parts.append(_packed(more, self.higher_order))
+        lead = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
+        return np.concatenate([np.broadcast_to(x, (*lead, x.shape[-1])) for x in parts], axis=-1)
 
     def with_states(self, *groups: str) -> ErrorModel:
         """Return this model with states that describe `HigherOrderErrors`.
@@ -91,7 +335,7 @@ class ErrorModel(StateLayout):
         >>> larger.size, larger.names[27], larger.names[-1]
         (37, 'accelerometer lever arm xx', 'accelerometer time skew')
         """
-        chosen = higher.checked_groups((*self.higher_order, *groups))
+        chosen = checked_groups((*self.higher_order, *groups))
         if chosen == self.higher_order:
             return self
         with _ONE_AT_A_TIME:  # models are told apart as objects; two threads would make two of one
@@ -179,7 +423,7 @@ class ErrorModel(StateLayout):
         covariance = half @ half.T
         if self.higher_order:
             last = np.arange(self.triad_states, self.size)
-            covariance[last, last] = higher.prior_deviations(prior, self.higher_order) ** 2
+            covariance[last, last] = _prior_deviations(prior, self.higher_order) ** 2
         return covariance
 
 
@@ -187,7 +431,7 @@ class ErrorModel(StateLayout):
 def _with_states(model: ErrorModel, groups: tuple[str, ...]) -> ErrorModel:
     """Model with other groups of higher order; one object for each choice."""
     names = model.names[: model.triad_states]
-    names += tuple(name for group in groups for name in higher.GROUPS[group].names)
+    names += tuple(name for group in groups for name in GROUPS[group].names)
     return replace(model, names=names, higher_order=groups)
 
 
@@ -201,7 +445,7 @@ def _model(
     names = [f"{kind} {axis}" for kind in ("attitude", "velocity") for axis in LOCAL_AXES]
     bases = []
     for sensor, places in (("gyro", gyro), ("accelerometer", accelerometer)):
-        basis = units(DIAGONAL + places)
+        basis = _units(DIAGONAL + places)
         rest = "installation"
         if sensor == symmetric:
             basis[3:] += np.swapaxes(basis[3:], -1, -2)
@@ -209,7 +453,7 @@ def _model(
         basis.setflags(write=False)
         bases.append(basis)
         names += [f"{sensor} bias {axis}" for axis in AXES]
-        names += named(f"{sensor} scale", DIAGONAL) + named(f"{sensor} {rest}", places)
+        names += _named(f"{sensor} scale", DIAGONAL) + _named(f"{sensor} {rest}", places)
     return ErrorModel(frame, bases[0], bases[1], tuple(names))
 
 

@@ -7,12 +7,19 @@ attitude and velocity, and into the compensation of the increments that follow.
 
 from __future__ import annotations
 
+import warnings
+from typing import Any
+
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from driftlab.checks import (
+    FloatArray,
+    UnusualWarning,
     checked_instance,
+    finite_array,
     finite_number,
+    positive_number,
     shown,
     speed_of_body,
     truth_value,
@@ -29,13 +36,9 @@ from driftlab.motion.scheme import Scheme
 from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
 from ._doubt import LARGE_BIAS, TAKE_THE_MEAN, Door, warn_if_impossible, warn_if_inconsistent
-from ._earlier_pass import check_about, linearization_point
-from ._innovations import normalised_innovations
-from ._updates import updates
-from .calibration_history import Calibration as Calibration
-from .error_dynamics import free_transition, process_noise, transition_of_increments
+from .calibration_history import Calibration, checked_about
+from .error_dynamics import checked_model, free_transition, process_noise, transition_of_increments
 from .error_model import ErrorModel
-from .linearization import checked_model
 
 
 def calibrate(
@@ -183,7 +186,7 @@ def calibrate(
     speed_of_body(measured.velocity, "increments.velocity")
     attitude = unit_quaternions(start, "start")
     interval = checked_interval(measured.interval)
-    ends, reference = updates(
+    ends, reference = _updates(
         measured.angle.shape[-2], interval, reference_velocity, reference_times, update_interval
     )
     if noise.reference_velocity <= 0:
@@ -201,8 +204,7 @@ def calibrate(
     )
     door = Door(measured, attitude, place, prior, noise, reference, ends, lead, about is None)
     if about is not None:
-        checked_instance(about, Calibration, "about")
-        check_about(about, model, lead)
+        checked_about(about, model, lead)
     doubted = warn_if_impossible(door, model, calibrate) if check else None
     try:
         result = _filtered(door, model, keep, about)
@@ -237,7 +239,7 @@ def _filtered(door: Door, model: ErrorModel, keep: int, about: Calibration | Non
     before = model.covariance(prior, attitude.reshape(-1, 4)[0])
     covariance = np.broadcast_to(before, (*lead, model.size, model.size))
     if about is not None:
-        state, start_found = linearization_point(measured.part(0, ends[-1]), place, about)
+        state, start_found = about._linearization_point(measured.part(0, ends[-1]), place)
         mean = -state
         back = quaternion.multiply(believed, quaternion.conjugate(start_found))
         mean[..., :3] = quaternion.to_rotation_vector(back)
@@ -249,7 +251,7 @@ def _filtered(door: Door, model: ErrorModel, keep: int, about: Calibration | Non
     nis_history, seen, history = [], [], []
     for k, (end, each) in enumerate(zip(ends.tolist(), lengths.tolist(), strict=True)):
         change = None if changes is None else changes[..., end - each : end, :]
-        true = model.corrected(measured.part(end - each, end), state, change)
+        true = model._corrected(measured.part(end - each, end), state, change)
         way = loops.navigate(now, true.angle, true.velocity, true.interval, ALGORITHM)
         attitudes = np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
         growth = transition_of_increments(model, free[each], attitudes, true, change)
@@ -279,6 +281,101 @@ def _filtered(door: Door, model: ErrorModel, keep: int, about: Calibration | Non
     )
     nis = np.stack(nis_history, axis=-1)
     innovations, predicted = (np.stack(row, axis=len(lead)) for row in zip(*seen, strict=True))
-    whitened = normalised_innovations(innovations, predicted, noise.reference_velocity**2)
+    whitened = _normalised_innovations(innovations, predicted, noise.reference_velocity**2)
     times = interval * ends[[k - 1 for k in sorted(kept)]]
     return Calibration(model, times, states, covariances, attitudes, velocities, nis, whitened)
+
+
+USUAL_INTERVAL = 1.0
+"""Of the updates at a table that stands, if nothing else is said, s."""
+_LEAST = 4
+
+
+def _updates(
+    count: int,
+    interval: float,
+    reference_velocity: ArrayLike | None,
+    reference_times: ArrayLike | None,
+    update_interval: float | None,
+) -> tuple[NDArray[Any], FloatArray]:
+    """Ends (k,) of the updates, as numbers of increments, and the velocities (..., k, 3) there."""
+    if count < _LEAST:
+        raise ValueError(f"increments: expected at least {_LEAST}, two pairs, got {count}.")
+    if update_interval is not None and (
+        reference_velocity is not None or reference_times is not None
+    ):
+        raise ValueError(
+            "update_interval: expected with a table that stands, without reference_velocity and "
+            f"reference_times, got {shown(update_interval)}."
+        )
+    if reference_times is not None:
+        ends = _nearest_pairs(count, interval, reference_times)
+        if reference_velocity is None:
+            return ends, np.zeros((len(ends), 3))
+        reference = finite_array(reference_velocity, "reference_velocity", 3)
+        if reference.ndim < 2 or reference.shape[-2] != len(ends):
+            raise ValueError(
+                f"reference_velocity: expected shape (..., {len(ends)}, 3), as many as "
+                f"reference_times, got shape {reference.shape}."
+            )
+        return ends, reference
+    if reference_velocity is None:
+        seconds = USUAL_INTERVAL if update_interval is None else update_interval
+        pairs = max(round(positive_number(seconds, "update_interval") / (2 * interval)), 1)
+        inner = np.arange(2 * pairs, count - 1, 2 * pairs)
+        # The last update takes what is left, but for one increment of an odd number.
+        ends = np.append(inner[inner < count - count % 2], count - count % 2)
+        if 2 * pairs > count:
+            warnings.warn(
+                f"update_interval: {seconds:g} s is longer than the record, {interval * count:g} s:"
+                " there is one update only, and little is learnt beyond the prior.",
+                UnusualWarning,
+                stacklevel=3,
+            )
+        return ends, np.zeros((len(ends), 3))
+    reference = finite_array(reference_velocity, "reference_velocity", 3)
+    number = reference.shape[-2] if reference.ndim > 1 else 0
+    if number == 0 or count % (2 * number):
+        raise ValueError(
+            "reference_velocity: expected shape (..., updates, 3), with a number of updates that "
+            f"divides {count} increments into even parts, got shape {reference.shape}. "
+            "Velocities of other moments go with their reference_times."
+        )
+    return np.arange(1, number + 1) * (count // number), reference
+
+
+def _nearest_pairs(count: int, interval: float, reference_times: ArrayLike) -> NDArray[Any]:
+    """Even numbers of increments nearest to times since the start, s."""
+    times = finite_array(reference_times, "reference_times")
+    end = interval * count
+    if times.ndim != 1 or times.min() < interval / 2 or times.max() > end + interval:
+        raise ValueError(
+            "reference_times: expected times (k,) since the start, from half an interval, "
+            f"{interval / 2:g} s, to {end:g} s, got shape {times.shape}, {times.min():g} to "
+            f"{times.max():g} s."
+        )
+    ends = np.clip(2 * np.round(times / (2 * interval)).astype(int), 2, count - count % 2)
+    if (np.diff(ends) <= 0).any():
+        raise ValueError(
+            "reference_times: expected times that rise by more than a pair of increments, "
+            f"{2 * interval:g} s, got a step of {np.diff(times).min():g} s."
+        )
+    if count - ends[-1] > np.diff(ends, prepend=0).max():
+        warnings.warn(
+            f"reference_times: the record goes on for {interval * (count - ends[-1]):g} s after "
+            "the last of them; that is not used.",
+            stacklevel=4,
+        )
+    return ends
+
+
+def _normalised_innovations(
+    innovation: FloatArray, predicted: FloatArray, variance: float
+) -> FloatArray:
+    """Innovations (..., 3) with covariance I, so that the sum of their squares is the NIS.
+
+    `predicted` (..., 3, 3) is the covariance of the velocity before the update, and `variance` that
+    of the measurement.
+    """
+    root = np.linalg.cholesky(predicted + variance * np.eye(3))
+    return np.linalg.solve(root, innovation[..., np.newaxis])[..., 0]

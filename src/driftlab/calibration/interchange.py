@@ -8,12 +8,15 @@ and radians. Numbers come back to the last digit.
 from __future__ import annotations
 
 import json
+from datetime import datetime
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from driftlab.checks import FloatArray, checked_instance, checked_text, finite_number
+import driftlab
+from driftlab.axes import checked_axes
+from driftlab.checks import FloatArray, checked_instance, checked_text, finite_array, finite_number
 from driftlab.drift.weighing_designs import TurnFit
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
@@ -22,15 +25,6 @@ from driftlab.higher_order_errors import (
 )
 from driftlab.imu import ImuErrors, ImuNoise, checked_imu_errors, real_imu_errors
 
-from ._quantities_as_json import (
-    check_axes_and_date,
-    check_convention,
-    check_sizes,
-    parsed,
-    quantities_of,
-    word_of,
-    written,
-)
 from .calibration_history import Calibration
 from .poses import PoseCalibration
 
@@ -194,17 +188,17 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
         ...
     ValueError: gyro_bias: expected the unit rad/s, got 'deg/s'.
     """
-    document = parsed(source)
+    document = _parsed(source)
     schema = document.get("schema")
     if schema == _TURN_SCHEMA:
-        check_convention(document, _TURN_CONVENTION)
-        values, _ = quantities_of(document, _TURN_UNITS, tuple(_TURN_UNITS))
-        check_sizes(values)
+        _check_convention(document, _TURN_CONVENTION)
+        values, _ = _quantities_of(document, _TURN_UNITS, tuple(_TURN_UNITS))
+        _check_sizes(values)
         return TurnFit(**values)
     if schema != SCHEMA:
         raise ValueError(f"schema: expected {SCHEMA!r} or {_TURN_SCHEMA!r}, got {schema!r}.")
-    check_convention(document, _CONVENTION)
-    values, deviations = quantities_of(document, _UNITS, ImuErrors._fields, ImuErrors._fields)
+    _check_convention(document, _CONVENTION)
+    values, deviations = _quantities_of(document, _UNITS, ImuErrors._fields, ImuErrors._fields)
     higher = {key: values[key] for key in HigherOrderErrors._fields if key in values}
     noise = {key: finite_number(values[key], key) for key in _NOISE if key in values}
     if noise and (missing := [key for key in _NOISE if key not in noise]):
@@ -214,9 +208,9 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
         checked_imu_errors(ImuErrors(**deviations)) if deviations else None,
         checked_higher_order_errors(NO_HIGHER_ORDER_ERRORS._replace(**higher)) if higher else None,
         ImuNoise(**noise) if noise else None,
-        *(word_of(document, key) for key in ("body_axes", "axes", "name", "date")),
+        *(_word_of(document, key) for key in ("body_axes", "axes", "name", "date")),
     )
-    check_axes_and_date(kept.axes, kept.date)
+    _check_axes_and_date(kept.axes, kept.date)
     return kept
 
 
@@ -250,13 +244,13 @@ def calibration_document(
         checked_instance(noise, ImuNoise, "noise")
     words = {"name": name, "date": date}
     head = {key: checked_text(word, key) for key, word in words.items()} | {"axes": axes}
-    check_axes_and_date(axes, date)
+    _check_axes_and_date(axes, date)
     if isinstance(found, TurnFit):
         values = {key: (unit, getattr(found, key), None) for key, unit in _TURN_UNITS.items()}
-        return written(_TURN_SCHEMA, head, _TURN_CONVENTION, values)
+        return _written(_TURN_SCHEMA, head, _TURN_CONVENTION, values)
     kept = _kept(found)
     head = {key: word or getattr(kept, key) for key, word in head.items()}
-    check_axes_and_date(head["axes"], head["date"])
+    _check_axes_and_date(head["axes"], head["date"])
     quantities: dict[str, Any] = {}
     spread = None if kept.deviations is None else checked_imu_errors(kept.deviations)
     for key, value in real_imu_errors(kept.imu_errors)._asdict().items():
@@ -267,7 +261,7 @@ def calibration_document(
     noise = noise or kept.noise
     for key in _NOISE if noise else ():
         quantities[key] = (_UNITS[key], getattr(noise, key), None)
-    return written(SCHEMA, head | {"body_axes": kept.body_axes}, _CONVENTION, quantities)
+    return _written(SCHEMA, head | {"body_axes": kept.body_axes}, _CONVENTION, quantities)
 
 
 def _kept(found: ImuErrors | Calibration | PoseCalibration | KeptCalibration) -> KeptCalibration:
@@ -303,3 +297,145 @@ def _deviations(covariance: FloatArray, each: FloatArray, shape: tuple[int, ...]
     shares = each.reshape(len(each), -1)
     variances = np.einsum("...ij,ia,ja->...a", covariance, shares, shares)
     return np.sqrt(np.maximum(variances, 0.0)).reshape(shape)
+
+
+def _written(
+    schema: str, head: dict[str, str], convention: str, quantities: dict[str, Any]
+) -> dict[str, Any]:
+    """Quantities by name, each a unit, a value and perhaps a deviation, with what they mean."""
+    plain = {}
+    for key, (unit, value, deviation) in quantities.items():
+        plain[key] = {"unit": unit, "value": _plain(value, key)}
+        if deviation is not None:
+            plain[key]["deviation"] = _deviation(deviation, np.asarray(value), key).tolist()
+    return {
+        "schema": schema,
+        **head,
+        "convention": convention,
+        "written_by": f"driftlab {driftlab.__version__}",
+        "quantities": plain,
+    }
+
+
+def _plain(value: Any, name: str) -> Any:
+    # A fit that had no unknown of a kind has no number of it.
+    array = np.asarray(value, float)
+    if array.size:
+        return finite_array(array, name).tolist()
+    # Of shape (0, 3) the 3 would be lost.
+    if 0 in array.shape[:-1]:
+        raise ValueError(f"{name}: expected at least one fit, got shape {array.shape}.")
+    return array.tolist()
+
+
+def _parsed(source: str | Path) -> dict[str, Any]:
+    """The dictionary in a text or a file, or in the values that a command wrote."""
+    text = source.read_text(encoding="utf-8") if isinstance(source, Path) else source
+    if not isinstance(text, str):
+        raise ValueError(f"source: expected a text or a Path, got {type(source).__name__}.")
+    try:
+        document = json.loads(text, object_pairs_hook=_once)
+    except json.JSONDecodeError as error:
+        hint = "" if text.lstrip().startswith("{") else "; a file is named by a Path"
+        raise ValueError(f"source: expected JSON, got {error}{hint}.") from None
+    values = document.get("values") if isinstance(document, dict) else None
+    if isinstance(values, dict) and "calibration" in values:
+        document = values["calibration"]
+    if not isinstance(document, dict):
+        raise ValueError(f"source: expected a calibration, got a {type(document).__name__}.")
+    return document
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise ValueError(f"source: expected each name once, got {twice!r} again.")
+    return found
+
+
+def _quantities_of(
+    document: dict[str, Any],
+    units: dict[str, str],
+    needed: tuple[str, ...],
+    uncertain: tuple[str, ...] = (),
+) -> tuple[dict[str, FloatArray], dict[str, FloatArray]]:
+    """Values by name, and standard deviations of those that are `uncertain`, all or none."""
+    quantities = document.get("quantities")
+    if not isinstance(quantities, dict):
+        raise ValueError(f"quantities: expected some by name, got {quantities!r:.60}.")
+    if missing := [key for key in needed if key not in quantities]:
+        raise ValueError(f"quantities: expected {', '.join(needed)}, got no {missing[0]}.")
+    values, deviations = {}, {}
+    for key, said in quantities.items():
+        if key not in units:
+            raise ValueError(f"quantities: expected some of {', '.join(units)}, got {key!r}.")
+        if not isinstance(said, dict) or "value" not in said:
+            raise ValueError(f"{key}: expected a unit and a value, got {said!r:.60}.")
+        fields = ("unit", "value", "deviation")[: 3 if key in uncertain else 2]
+        if unknown := [field for field in said if field not in fields]:
+            raise ValueError(f"{key}: expected {', '.join(fields)}, got {unknown[0]!r}.")
+        if said.get("unit") != units[key]:
+            raise ValueError(f"{key}: expected the unit {units[key]}, got {said.get('unit')!r}.")
+        values[key] = _numbers(said["value"], key)
+        if "deviation" in said:
+            deviations[key] = _deviation(said["deviation"], values[key], key)
+    if deviations and (missing := [key for key in uncertain if key not in deviations]):
+        raise ValueError(f"{missing[0]}: expected a deviation, as others have one, got none.")
+    return values, deviations
+
+
+def _numbers(value: Any, name: str) -> FloatArray:
+    # A fit that had no unknown of a kind has [] for it, or [] for each of several.
+    if value == [] or (isinstance(value, list) and all(each == [] for each in value)):
+        return np.zeros(np.shape(value))
+    return finite_array(value, name)
+
+
+def _deviation(value: Any, of: FloatArray, name: str) -> FloatArray:
+    array = finite_array(value, f"{name}, deviation")
+    if (
+        not array.ndim or array.shape != of.shape[of.ndim - array.ndim :]
+    ):  # one may serve many units
+        raise ValueError(
+            f"{name}: expected a deviation of the shape of its value, got shapes {array.shape} and "
+            f"{of.shape}."
+        )
+    if array.min() < 0:
+        raise ValueError(f"{name}: expected deviations of at least 0, got {array.min():g}.")
+    return array
+
+
+def _check_convention(document: dict[str, Any], expected: str) -> None:
+    """Refuse numbers that mean something else."""
+    if document.get("convention") != expected:
+        raise ValueError(f"convention: expected {expected!r}, got {document.get('convention')!r}.")
+
+
+def _check_sizes(fit: dict[str, FloatArray]) -> None:
+    """Refuse what is no fit of turns: other than three sigmas, a covariance of other unknowns."""
+    finite_array(fit["sigma"], "sigma", 3)
+    unknowns = (np.atleast_1d(fit[key]) for key in ("sigma", "scale", "gyro_bias", "earth_rate"))
+    size = sum(each.shape[-1] for each in unknowns)
+    finite_array(fit["covariance"], "covariance", size, size)
+
+
+def _check_axes_and_date(axes: str, date: str) -> None:
+    """Refuse texts that are none, unless they are empty."""
+    if checked_text(axes, "axes"):
+        checked_axes(axes, "axes")
+    try:
+        if date:
+            datetime.fromisoformat(date)
+    except ValueError:
+        raise ValueError(
+            f"date: expected a date such as 2024-05-01 or 2024-05-01T12:00, got {date!r}."
+        ) from None
+
+
+def _word_of(document: dict[str, Any], key: str) -> str:
+    """A text by its name; empty if there is none."""
+    if not isinstance(word := document.get(key, ""), str):
+        raise ValueError(f"{key}: expected text, got {word!r:.60}.")
+    return word

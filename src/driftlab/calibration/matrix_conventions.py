@@ -1,9 +1,9 @@
-"""Calibration matrices of IMU-TK, kalibr and imucal, to and from `ImuErrors`.
+"""Calibration matrices of other programs, to and from `ImuErrors`, and nominal readings.
 
 Here ``measured = (I + K) true + bias``: the matrix makes errors, and the bias is the sensors'.
 Most programs write the matrix that takes the errors out, its inverse. A bias is subtracted either
-before their matrix, and is then ours, or behind it, and is then one of the body axes:
-`driftlab.calibration.biases_behind_matrix`.
+before their matrix, and is then ours (IMU-TK, kalibr, imucal), or behind it,
+``true = K measured - b``, and is then one along the body axes (PSINS, ROS, RealSense).
 
 What a program knows beyond a matrix and a bias for each triad, such as gyros that feel acceleration
 or accelerometers that sit apart, is refused if it is not zero, not dropped.
@@ -11,7 +11,7 @@ or accelerometers that sit apart, is refused if it is not zero, not dropped.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Self
 
 import numpy as np
@@ -19,14 +19,179 @@ from numpy.typing import ArrayLike
 from scipy.constants import degree
 
 from driftlab.body_frames import body_frame_rotation
-from driftlab.calibration.nominal_readings import (
-    SI_READINGS,
-    NominalReadings,
-    checked_inverse,
-    checked_zeros,
-)
-from driftlab.checks import checked_instance, finite_array
+from driftlab.checks import FloatArray, checked_instance, finite_array, keep, positive_array
+from driftlab.core.vectors import transform
 from driftlab.imu import ImuErrors, checked_imu_errors
+
+
+@dataclass(frozen=True, eq=False)
+class NominalReadings:
+    """Nominal SI value of a reading: ``scale (reading - zero)``.
+
+    The errors of a unit are what remains beyond that, so the same unit has other errors with other
+    nominal scales.
+
+    Attributes
+    ----------
+    gyro_scale : array_like, shape () or (3,)
+        rad/s a reading, of all gyros or of each.
+    gyro_zero : array_like, shape () or (3,)
+        Reading of a gyro that does not turn.
+    accelerometer_scale : array_like, shape () or (3,)
+        m/s^2 a reading.
+    accelerometer_zero : array_like, shape () or (3,)
+        Reading of an accelerometer without specific force.
+
+    Examples
+    --------
+    Counts of a converter with 16 bits, whose middle is zero:
+
+    >>> counts = NominalReadings(1 / 4778, 32768, 1 / 415, 32768)
+    >>> errors = counts.imu_errors(
+    ...     4778 * np.eye(3), [32768] * 3, 415 * np.eye(3), [33183] * 3
+    ... )
+    >>> errors.accelerometer_bias
+    array([1., 1., 1.])
+    """
+
+    gyro_scale: ArrayLike = 1.0
+    gyro_zero: ArrayLike = 0.0
+    accelerometer_scale: ArrayLike = 1.0
+    accelerometer_zero: ArrayLike = 0.0
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            array = finite_array(getattr(self, field.name), field.name)
+            if array.shape not in ((), (3,)):
+                raise ValueError(
+                    f"{field.name}: expected shape () or (3,), got shape {array.shape}."
+                )
+            if field.name.endswith("scale"):
+                positive_array(array, field.name)
+            plain = array.tolist()  # so that readings can be compared, and nobody changes them
+            keep(self, **{field.name: tuple(plain) if array.ndim else plain})
+
+    def imu_errors(
+        self,
+        gyro_matrix: ArrayLike,
+        gyro_offset: ArrayLike,
+        accelerometer_matrix: ArrayLike,
+        accelerometer_offset: ArrayLike,
+    ) -> ImuErrors:
+        """Errors of a unit whose readings are a matrix times the true values, and an offset.
+
+        Parameters
+        ----------
+        gyro_matrix : array_like, shape (..., 3, 3)
+            Readings per rad/s.
+        gyro_offset : array_like, shape (..., 3)
+            Readings.
+        accelerometer_matrix : array_like, shape (..., 3, 3)
+            Readings per m/s^2.
+        accelerometer_offset : array_like, shape (..., 3)
+            Readings.
+
+        Returns
+        -------
+        ImuErrors
+            Relative to the nominal values.
+
+        Raises
+        ------
+        ValueError
+            If a sensor reads less than a fifth or more than five times its nominal value, or with
+            the other sign: a wrong unit, or matrices of another kind.
+
+        Examples
+        --------
+        >>> errors = SI_READINGS.imu_errors(1.1 * np.eye(3), np.zeros(3), np.eye(3), np.zeros(3))
+        >>> float(errors.gyro_error[0, 0].round(3))
+        0.1
+        """
+        gyro_scale, gyro_zero, scale, zero = self._threes()
+        gyro = gyro_scale[:, np.newaxis] * finite_array(gyro_matrix, "gyro_matrix", 3, 3)
+        accelerometer = scale[:, np.newaxis] * finite_array(
+            accelerometer_matrix, "accelerometer_matrix", 3, 3
+        )
+        for name, triad in (("gyro", gyro), ("accelerometer", accelerometer)):
+            gains = np.einsum("...ii->...i", triad)
+            if not ((gains >= 0.2) & (gains <= 5)).all():
+                worst = gains.flat[np.argmax(np.abs(np.log(np.clip(gains, 1e-9, None))))]
+                raise ValueError(
+                    f"{name}_matrix: expected sensors that read 0.2 to 5 times their nominal "
+                    f"value, got {worst:.3g} times; give the scale of the readings, or turn the "
+                    "axes round."
+                )
+        gyro_offset = finite_array(gyro_offset, "gyro_offset", 3)
+        accelerometer_offset = finite_array(accelerometer_offset, "accelerometer_offset", 3)
+        return checked_imu_errors(
+            ImuErrors(
+                gyro_scale * (gyro_offset - gyro_zero),
+                gyro - np.eye(3),
+                scale * (accelerometer_offset - zero),
+                accelerometer - np.eye(3),
+            )
+        )
+
+    def triads(
+        self, imu_errors: ImuErrors
+    ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """Matrix and offset of the readings of the gyros, then of the accelerometers.
+
+        Parameters
+        ----------
+        imu_errors : ImuErrors
+            Relative to the nominal values.
+
+        Returns
+        -------
+        gyro_matrix, gyro_offset, accelerometer_matrix, accelerometer_offset : ndarray
+            The arguments of `imu_errors`, which is the way back.
+
+        Examples
+        --------
+        >>> from driftlab.imu import NO_ERRORS
+        >>> NominalReadings(gyro_scale=0.5, gyro_zero=7).triads(NO_ERRORS)[:2]
+        (array([[2., 0., 0.],
+               [0., 2., 0.],
+               [0., 0., 2.]]), array([7., 7., 7.]))
+        """
+        gyro_scale, gyro_zero, scale, zero = self._threes()
+        imu_errors = checked_imu_errors(imu_errors)
+        return (
+            (np.eye(3) + imu_errors.gyro_error) / gyro_scale[:, np.newaxis],
+            imu_errors.gyro_bias / gyro_scale + gyro_zero,
+            (np.eye(3) + imu_errors.accelerometer_error) / scale[:, np.newaxis],
+            imu_errors.accelerometer_bias / scale + zero,
+        )
+
+    def _threes(self) -> list[FloatArray]:
+        """Scales and zeros, three each."""
+        return [np.broadcast_to(getattr(self, field.name), 3) for field in fields(self)]
+
+
+SI_READINGS = NominalReadings()
+"""Readings that are rad/s and m/s^2 already."""
+
+
+def checked_inverse(matrix: FloatArray, name: str) -> FloatArray:
+    """Return the inverses of matrices (..., 3, 3), refusing a singular one by name."""
+    if not (np.linalg.cond(matrix) < 1e12).all():
+        raise ValueError(f"{name}: expected a matrix with an inverse, got a singular one.")
+    return np.linalg.inv(matrix).astype(np.float64, copy=False)
+
+
+def checked_zeros(**effects: ArrayLike) -> None:
+    """Refuse effects, given by name, that a matrix and a bias for each triad cannot represent."""
+    for name, effect in effects.items():
+        size = np.abs(finite_array(effect, name)).max()
+        if size > 0:
+            raise ValueError(
+                f"{name}: expected zeros, because ImuErrors has no place for it, got up to "
+                f"{size:.3g}; take its effect out of the readings first, or give zeros and live "
+                "with it."
+            )
+
 
 _ROUNDING = 1e-12  # of an error matrix, which has no unit
 
@@ -242,3 +407,136 @@ class ImucalMatrices:
         K_g, K_a = (np.linalg.norm(m, axis=-1)[..., np.newaxis] * np.eye(3) for m in (gyro, acc))
         R_g, R_a = np.linalg.inv(K_g) @ gyro, np.linalg.inv(K_a) @ acc
         return cls(K_a, R_a, b_a, K_g, R_g, b_g, readings=readings)
+
+
+@dataclass(frozen=True, eq=False)
+class PsinsMatrices:
+    """PSINS: ``true = Kg measured - eb`` and ``true = Ka measured - db``, in SI units.
+
+    Attributes
+    ----------
+    Kg, Ka : array_like, shape (..., 3, 3)
+        Calibration matrices, after ``sf`` has made SI units of the pulses.
+    eb, db : array_like, shape (..., 3)
+        Biases *behind* the matrix, rad/s and m/s^2; its files have degrees per hour and micro-g.
+    Ka2, Kap, rx, ry, rz, tGA, gSens : array_like
+        Squares and signs of the accelerometers, their places, the delay between the triads, what
+        the gyros feel of specific force; refused if not zero.
+
+    Notes
+    -----
+    WangShanpeng/PSINS at c1706f1, ``base/imu/imuclbt.m``, ``clbtfile.m``. Its simulation
+    ``imuadderr.m`` is ours with dKg = K, so Kg is near I - dKg. The accelerometers fix the body
+    axes of ``base/kf/sysclbt.m``: Ka is zero above the diagonal (our "accelerometers").
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> psins = PsinsMatrices(0.5 * np.eye(3), np.ones(3), np.eye(3), np.zeros(3))
+    >>> psins.imu_errors.gyro_bias  # two at the sensor are one behind the matrix
+    array([2., 2., 2.])
+    """
+
+    Kg: ArrayLike
+    eb: ArrayLike
+    Ka: ArrayLike
+    db: ArrayLike
+    Ka2: ArrayLike = 0.0
+    Kap: ArrayLike = 0.0
+    rx: ArrayLike = 0.0
+    ry: ArrayLike = 0.0
+    rz: ArrayLike = 0.0
+    tGA: ArrayLike = 0.0
+    gSens: ArrayLike = 0.0
+
+    @property
+    def imu_errors(self) -> ImuErrors:
+        """The same unit as `ImuErrors`."""
+        checked_zeros(
+            Ka2=self.Ka2,
+            Kap=self.Kap,
+            rx=self.rx,
+            ry=self.ry,
+            rz=self.rz,
+            tGA=self.tGA,
+            gSens=self.gSens,
+        )
+        return _bias_behind_matrix(Kg=self.Kg, eb=self.eb, Ka=self.Ka, db=self.db)
+
+    @classmethod
+    def from_imu_errors(cls, imu_errors: ImuErrors) -> Self:
+        """PSINS' matrices of a unit, in the body axes that it has."""
+        return cls(*_matrix_before_bias(imu_errors))
+
+
+@dataclass(frozen=True, eq=False)
+class RosMatrices:
+    """imu_calib of ROS: ``true = SM measured - bias``, and gyros that lose their bias only.
+
+    Attributes
+    ----------
+    SM : array_like, shape (..., 3, 3)
+        Of the accelerometers; its file has the nine numbers row by row.
+    bias : array_like, shape (..., 3)
+        Of the accelerometers behind the matrix, m/s^2.
+    gyro_bias : array_like, shape (..., 3)
+        Behind the gyros' matrix, rad/s.
+    gyro_SM : array_like, shape (..., 3, 3)
+        Of the gyros: imu_calib has none, which is the unit matrix.
+
+    Notes
+    -----
+    dpkoch/imu_calib at 59f5d17, ``src/accel_calib/accel_calib.cpp`` and ``src/apply_calib.cpp``.
+    Its body axes are those of the six rests. A driver itself should publish what the device says,
+    in m/s^2 (+g upward at rest) and rad/s: REP 145, ros-infrastructure/rep, ``rep-0145.rst``.
+
+    RealSense corrects both triads by the same formula (librealsense at cacc8e7,
+    ``src/proc/motion-transform.cpp``). In the ``calibration.json`` of its tool
+    ``rs-imu-calibration.py`` the nine numbers stand column by column:
+    ``SM = np.reshape(nine, (3, 3)).T``.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> ros = RosMatrices(np.diag([1.25, 1, 1]), [0.25, 0, 0], np.zeros(3))
+    >>> float(ros.imu_errors.accelerometer_bias[0])
+    0.2
+    """
+
+    SM: ArrayLike
+    bias: ArrayLike
+    gyro_bias: ArrayLike
+    gyro_SM: ArrayLike = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+    @property
+    def imu_errors(self) -> ImuErrors:
+        """The same unit as `ImuErrors`."""
+        return _bias_behind_matrix(
+            gyro_SM=self.gyro_SM, gyro_bias=self.gyro_bias, SM=self.SM, bias=self.bias
+        )
+
+    @classmethod
+    def from_imu_errors(cls, imu_errors: ImuErrors) -> Self:
+        """Both matrices of a unit; imu_calib itself can use them if `gyro_SM` is the unit one."""
+        gyro_SM, gyro_bias, SM, bias = _matrix_before_bias(imu_errors)
+        return cls(SM, bias, gyro_bias, gyro_SM)
+
+
+def _bias_behind_matrix(**triads: ArrayLike) -> ImuErrors:
+    """Errors of a unit whose true values are a matrix times what is measured, less a bias."""
+    forward: list[FloatArray] = []
+    names = list(triads)
+    for matrix, bias in (names[:2], names[2:]):
+        triad = checked_inverse(finite_array(triads[matrix], matrix, 3, 3), matrix)
+        forward += [triad, transform(triad, finite_array(triads[bias], bias, 3))]
+    return SI_READINGS.imu_errors(*forward)
+
+
+def _matrix_before_bias(
+    imu_errors: ImuErrors,
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Matrices and biases such that true is a matrix times what is measured, less a bias."""
+    gyro, gyro_bias, accelerometer, bias = SI_READINGS.triads(checked_imu_errors(imu_errors))
+    gyro = checked_inverse(gyro, "gyro_error")
+    accelerometer = checked_inverse(accelerometer, "accelerometer_error")
+    return gyro, transform(gyro, gyro_bias), accelerometer, transform(accelerometer, bias)

@@ -35,7 +35,7 @@ from driftlab.recordings.recording import Recording
 from driftlab.recordings.rest_detection import Rests
 
 from .body_axes import imu_errors_in_accelerometer_axes, imu_errors_in_frame
-from .consistency import InconsistentWarning
+from .calibration_history import InconsistentWarning
 from .error_model import FULL
 
 _KINDS = ("rests", "moves", "rates")

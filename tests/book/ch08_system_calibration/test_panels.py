@@ -7,8 +7,8 @@ from scipy.constants import degree, g, hour, micro
 from driftlab.book import CalibrationRunExplorer, ObservabilityExplorer
 from driftlab.book.ch08_system_calibration.experiments import typical_trial
 from driftlab.calibration.covariance import covariance_analysis
+from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.linearization import linearize_along
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS
 from panel_numbers import results_of

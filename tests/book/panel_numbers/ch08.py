@@ -9,8 +9,8 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.book.ch08_system_calibration.experiments import PARAMETERS, typical_trial
 from driftlab.calibration.covariance import covariance_analysis
+from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
-from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import unobservable_subspace
 from driftlab.calibration.static_error_growth import STATIC_CAUSES, static_error_matrix
 from driftlab.imu import ImuNoise, PriorDeviations

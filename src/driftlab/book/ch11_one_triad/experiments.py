@@ -11,7 +11,7 @@ from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.body_frames import misalignment_vector
 from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, TABLE_LATITUDE, ship_manoeuvre
-from driftlab.calibration.filter import Calibration
+from driftlab.calibration.calibration_history import Calibration
 from driftlab.calibration.simulation import TableTrial
 from driftlab.checks import FloatArray, finite_array, finite_number
 from driftlab.drift.recorded_turns import recorded_turn_estimate

@@ -3,8 +3,7 @@
 import numpy as np
 from scipy.constants import degree
 
-from driftlab.calibration.matrix_conventions import ImuTkMatrices
-from driftlab.calibration.nominal_readings import NominalReadings
+from driftlab.calibration.matrix_conventions import ImuTkMatrices, NominalReadings
 from driftlab.checks import FloatArray
 from driftlab.core.vectors import cross_matrix
 from driftlab.recordings.publishers import (

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from driftlab.calibration._table_moves import STARTS, TableMoves
+from driftlab.calibration.covariance import STARTS, _TableMoves
 from driftlab.motion.scheme import DIRECTIONS, Scheme
 
-MOVES = TableMoves((90, 180))
+MOVES = _TableMoves((90, 180))
 TURNS = Scheme(" ".join(MOVES.words)).turns
 
 

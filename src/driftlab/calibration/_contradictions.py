@@ -1,16 +1,18 @@
-"""What a record says of its start and its place, before any filter: gravity and the Earth's rate.
+"""What contradicts what a filter was told: gravity, the Earth's rate, noise and innovations.
 
-Gravity, carried by the gyros into axes that do not turn, must stay on the cone on which the Earth
-carries Up; in pauses the gyros must show the Earth's rate.
+Before any filter, gravity, carried by the gyros into axes that do not turn, must stay on the cone
+on which the Earth carries Up; in pauses the gyros must show the Earth's rate, and noise as told.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.constants import degree, hour
+from scipy.constants import arcsecond, degree, g, hour, micro
+from scipy.special import chdtri
 
 from driftlab.checks import FloatArray
 from driftlab.core import quaternion
@@ -20,6 +22,8 @@ from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
 from driftlab.strapdown import ALGORITHM
+
+from .calibration_history import Calibration, InnovationTest
 
 _STEP = 0.1
 """Increments are added up to steps of about this, rad."""
@@ -174,3 +178,152 @@ def thinned(
             for part in (angle, velocity)
         ),
     )
+
+
+_BLOCKS = 4
+"""A rest window is compared in so many parts: long ones, so that counts of a coarse unit and what
+vibrates do not pass for noise."""
+_ENOUGH = 30
+"""Degrees of freedom: of so many, the root of a mean square scatters by an eighth."""
+LARGER = 2.0
+"""Noise so many times what was told is named: of right records, not one in 10^12."""
+_ANGLES = {
+    "degrees for radians, or degrees/sqrt(h) for degrees/sqrt(s)?": np.degrees(1.0),
+    "degrees/sqrt(h) for rad/sqrt(s)?": 60 * np.degrees(1.0),
+}
+_NEAR = 1.3
+"""Sensors that are better than told are no slip; but noise so near to that in another unit is."""
+
+
+def told_noise(
+    increments: Increments, shown: Evidence | None, told: ImuNoise
+) -> tuple[list[str], ImuNoise]:
+    """Sentences on the noise of gyros and accelerometers if it is not what was told, and what it is
+    then."""
+    sentences: list[str] = []
+    right = told
+    triads = (
+        ("gyros", "angle_random_walk", increments.angle),
+        ("accelerometers", "velocity_random_walk", increments.velocity),
+    )
+    for triad, name, rows in triads:
+        size = float(getattr(told, name))
+        if shown is None or size == 0:
+            continue
+        found = _random_walk(rows, shown, increments.interval)
+        if found is None:
+            continue
+        ratio = found / size
+        unit = _unit(ratio) if triad == "gyros" else ""
+        if ratio > LARGER or unit:
+            sentences.append(f"{triad}: noise {ratio:.2g} times what was told{unit}")
+            right = replace(right, **{name: found})
+    return sentences, right
+
+
+def _random_walk(rows: FloatArray, shown: Evidence, interval: float) -> float | None:
+    """White noise of increments (n, 3) in windows that rest, per square root of a second; None if
+    there are too few."""
+    rest, each = shown.rest, round(shown.window / interval)
+    part = each // _BLOCKS if each >= _BLOCKS else 1
+    blocks = each // part
+    freedom = 3 * (blocks - 1)  # of one window
+    if freedom * int(rest.sum()) < _ENOUGH:
+        return None
+    windows = rows[: each * len(rest)].reshape(len(rest), each, 3)[rest, : blocks * part]
+    sums = windows.reshape(-1, blocks, part, 3).sum(axis=2)
+    squares = np.sum((sums - sums.mean(axis=1, keepdims=True)) ** 2, axis=(1, 2))
+    # The median, because one or another window may end as a turn begins.
+    typical = float(np.median(squares)) / float(chdtri(freedom, 0.5))
+    return float(np.sqrt(typical / (part * interval)))
+
+
+def _unit(ratio: float) -> str:
+    """Words for a factor that is one of units of angle."""
+    for name, factor in _ANGLES.items():
+        if 1 / _NEAR < ratio * factor < _NEAR:
+            return f": {name}"
+    return ""
+
+
+_KNOWN_NOISE = 1.25
+"""No noise is known better; the squares may be so many times as large as their bound."""
+
+
+SECOND_ORDER = 2.0
+"""Square of the largest scale or installation error over the least stated deviation, from which on
+one pass is too few."""
+
+
+BEYOND = 6.0
+"""Prior deviations that no error is expected to have: one of 10^7 right units has one of 21."""
+
+
+_UNITS = {
+    "gyro bias": (float(hour / degree), "deg/h"),
+    "accelerometer bias": (1 / (micro * g), "µg"),
+    "scale": (1e6, "ppm"),
+    "installation": (float(1 / arcsecond), "arc seconds"),
+    "non-orthogonality": (float(1 / arcsecond), "arc seconds"),
+}
+
+
+def contradiction(test: InnovationTest) -> tuple[int, str] | None:
+    """The run (its number) that the test finds worst, and a sentence on it; None if none is wrong.
+
+    As noise is not known exactly, squares count from a quarter above their bound on.
+    """
+    squares = np.ravel(test.squares) / (_KNOWN_NOISE * test.upper)
+    means = np.ravel(test.mean) / test.mean_upper
+    worst = int(np.argmax(np.maximum(squares, means)))
+    if squares[worst] > 1 and squares[worst] >= means[worst]:
+        name, size, bound = "squared innovations (NIS / 3)", np.ravel(test.squares), test.upper
+        low = test.lower
+    elif means[worst] > 1:
+        name, size, bound = "squared mean of the innovations", np.ravel(test.mean), test.mean_upper
+        low = 0.0
+    else:
+        return None
+    return worst, f"expected {name} from {low:.3g} to {bound:.3g}, got {size[worst]:.3g}"
+
+
+def second_order(calibration: Calibration) -> float:
+    """Square of the largest scale or installation error found over the least deviation stated of
+    any, worst run."""
+    model = calibration.model
+    places = [
+        index
+        for index, name in enumerate(model.names)
+        if " scale " in name or " installation " in name
+    ]
+    errors = np.abs(calibration.state[..., -1, places]).max(axis=-1)
+    known = calibration.deviations[..., -1, places]
+    least = np.where(known > 0, known, np.inf).min(axis=-1)
+    return float(np.max(errors**2 / least))
+
+
+def beyond_prior(
+    calibration: Calibration, prior: PriorDeviations, start: FloatArray
+) -> tuple[int, list[str]]:
+    """The worst run (its number), and sentences on errors found in it that the prior does not
+    allow, the largest of each kind."""
+    model = calibration.model
+    known = np.sqrt(np.diag(model.covariance(prior, start.reshape(-1, 4)[0])))
+    found = calibration.state[..., -1, :].reshape(-1, model.size)
+    ratios = np.divide(np.abs(found), known, out=np.zeros_like(found), where=known > 0)
+    ratios[:, :6] = 0.0
+    run = int(np.argmax(ratios.max(axis=-1)))
+    places = np.flatnonzero(ratios[run] > BEYOND)
+    worst: dict[str, str] = {}
+    for place in places[np.argsort(-ratios[run, places], kind="stable")]:
+        kind = model.names[place].rsplit(" ", 1)[0]
+        size, unit = next(
+            ((size, f" {unit}") for end, (size, unit) in _UNITS.items() if kind.endswith(end)),
+            (1.0, " in SI units"),
+        )
+        worst.setdefault(
+            kind,
+            f"{model.names[place]}: found {size * found[run, place]:.3g}{unit} where the prior "
+            f"says {size * known[place]:.3g}",
+        )
+    return run, list(worst.values())
