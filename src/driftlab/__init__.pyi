@@ -8,6 +8,7 @@ from . import (
     checks as checks,
     compilation as compilation,
     conventions as conventions,
+    diagnosis as diagnosis,
     drift as drift,
     earth as earth,
     frames as frames,

@@ -57,6 +57,7 @@ SUBJECTS = (
         "recordings",
         "calibration",
         "gyrocompass",
+        "diagnosis",
         "symbolic",
         "book",
     ),

@@ -57,6 +57,7 @@ from .error_model import (
     error_model_for as error_model_for,
 )
 from .filter import (
+    FilterFailure as FilterFailure,
     calibrate as calibrate,
 )
 from .interchange import (

@@ -11,20 +11,41 @@ it grow with the root of the time.
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
 import numpy as np
+from scipy.constants import arcsecond, degree, g, hour, micro
 from scipy.special import chdtri, ndtri
 
 from driftlab.checks import FloatArray, checked_instance
 from driftlab.core import quaternion
 from driftlab.core.loops import attitudes
 from driftlab.earth import earth_rate
-from driftlab.imu import ImuErrors
+from driftlab.imu import ImuErrors, PriorDeviations
 from driftlab.increments import Increments
 from driftlab.strapdown import ALGORITHM
 
+from ._told import Told
 from .error_model import ErrorModel
+
+CONFIDENCE = 1 - 1e-4
+"""Of each bound: so many right runs keep it."""
+_KNOWN_NOISE = 1.25
+"""No noise is known better; the squares may be so many times as large as their bound."""
+_SECOND_ORDER = 2.0
+"""Square of the largest scale or installation error over the least stated deviation, from which on
+one pass is too few."""
+_OF_SCALE = " scale | installation "
+BEYOND = 6.0
+"""Prior deviations that no error is expected to have: one of 10^7 right units has one of 21."""
+_UNITS = {
+    "gyro bias": (float(hour / degree), "deg/h"),
+    "accelerometer bias": (1 / (micro * g), "µg"),
+    "scale": (1e6, "ppm"),
+    "installation": (float(1 / arcsecond), "arc seconds"),
+    "non-orthogonality": (float(1 / arcsecond), "arc seconds"),
+}
 
 
 class Calibration(NamedTuple):
@@ -56,6 +77,8 @@ class Calibration(NamedTuple):
         `innovation_test` looks at more.
     innovations : ndarray, shape (..., updates, 3)
         Innovations with covariance I, which `nis` are the sums of squares of.
+    told : optional
+        The arguments of `calibrate`, for `driftlab.diagnosis.diagnose`.
 
     Examples
     --------
@@ -75,6 +98,7 @@ class Calibration(NamedTuple):
     velocity: FloatArray
     nis: FloatArray
     innovations: FloatArray = np.zeros((0, 3))
+    told: Told | None = None
 
     @property
     def deviations(self) -> FloatArray:
@@ -134,6 +158,60 @@ class Calibration(NamedTuple):
             quaternion.multiply(at_end, self.attitude[..., -1, :]), quaternion.conjugate(turned)
         )
 
+    def _contradictions(self, told: Told) -> tuple[int, list[str]]:
+        """The run (its number) that is worst, and sentences on its innovations and on errors found
+        in it beyond what the prior allows."""
+        doubt = innovation_test(self)._contradiction()
+        run, beyond = self._beyond_prior(told.prior, told.start)
+        said = []
+        if doubt is not None:
+            run = doubt[0]
+            said.append(doubt[1])
+        if beyond:
+            said.append(
+                f"expected errors within {BEYOND:g} deviations of the prior, got "
+                f"{'; '.join(beyond)}"
+            )
+        return run, said
+
+    def _beyond_prior(self, prior: PriorDeviations, start: FloatArray) -> tuple[int, list[str]]:
+        """The worst run (its number), and sentences on errors found in it that the prior does not
+        allow, the largest of each kind."""
+        model = self.model
+        known = np.sqrt(np.diag(model.covariance(prior, start.reshape(-1, 4)[0])))
+        found = self.state[..., -1, :].reshape(-1, model.size)
+        ratios = np.divide(np.abs(found), known, out=np.zeros_like(found), where=known > 0)
+        ratios[:, :6] = 0.0
+        run = int(np.argmax(ratios.max(axis=-1)))
+        places = np.flatnonzero(ratios[run] > BEYOND)
+        worst: dict[str, str] = {}
+        for place in places[np.argsort(-ratios[run, places], kind="stable")]:
+            kind = model.names[place].rsplit(" ", 1)[0]
+            size, unit = next(
+                ((size, f" {unit}") for end, (size, unit) in _UNITS.items() if kind.endswith(end)),
+                (1.0, " in SI units"),
+            )
+            worst.setdefault(
+                kind,
+                f"{model.names[place]}: found {size * found[run, place]:.3g}{unit} where the prior "
+                f"says {size * known[place]:.3g}",
+            )
+        return run, list(worst.values())
+
+    def _too_large(self) -> list[str]:
+        """A sentence if scale or installation errors are too large for a first pass."""
+        places = [k for k, name in enumerate(self.model.names) if re.search(_OF_SCALE, name)]
+        errors = np.abs(self.state[..., -1, places]).max(axis=-1)
+        known = self.deviations[..., -1, places]
+        largest = float(np.max(errors**2 / np.where(known > 0, known, np.inf).min(axis=-1)))
+        if largest <= _SECOND_ORDER:
+            return []
+        return [
+            "expected scale and installation errors whose squares are below "
+            f"{_SECOND_ORDER:g} stated deviations, got {largest:.3g}: errors too large for first "
+            "order, and deviations stated too small: go over the record again, about this result"
+        ]
+
 
 def checked_about(about: Calibration, model: ErrorModel, lead: tuple[int, ...]) -> Calibration:
     """Return an earlier pass, refusing one of another model or of other runs."""
@@ -150,10 +228,6 @@ def _described(model: ErrorModel) -> str:
     """Words for a model: axes, size and what was added."""
     added = f", with {', '.join(model.higher_order)}" if model.higher_order else ""
     return f"the model {model.frame!r} of {model.size} states{added}"
-
-
-CONFIDENCE = 1 - 1e-4
-"""Of each bound: so many right runs keep it."""
 
 
 class InconsistentWarning(UserWarning):
@@ -223,6 +297,22 @@ class InnovationTest(NamedTuple):
         wrong = (self.squares > self.upper) | (self.mean > self.mean_upper)
         cautious = np.where(self.squares < self.lower, "too cautious", "consistent")
         return np.where(wrong, "wrong", cautious)
+
+    def _contradiction(self) -> tuple[int, str] | None:
+        """The run (its number) that the test finds worst, and a sentence on it; None if none is
+        wrong. As noise is not known exactly, squares count from a quarter above their bound on."""
+        squares = np.ravel(self.squares) / (_KNOWN_NOISE * self.upper)
+        means = np.ravel(self.mean) / self.mean_upper
+        worst = int(np.argmax(np.maximum(squares, means)))
+        if squares[worst] > 1 and squares[worst] >= means[worst]:
+            name, low, bound = "squared innovations (NIS / 3)", self.lower, self.upper
+            size = np.ravel(self.squares)[worst]
+        elif means[worst] > 1:
+            name, low, bound = "squared mean of the innovations", 0.0, self.mean_upper
+            size = np.ravel(self.mean)[worst]
+        else:
+            return None
+        return worst, f"expected {name} from {low:.3g} to {bound:.3g}, got {size:.3g}"
 
 
 def innovation_test(calibration: Calibration) -> InnovationTest:

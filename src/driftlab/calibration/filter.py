@@ -8,6 +8,7 @@ attitude and velocity, and into the compensation of the increments that follow.
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -35,10 +36,41 @@ from driftlab.increments import Increments, checked_increments
 from driftlab.motion.scheme import Scheme
 from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
-from ._doubt import LARGE_BIAS, TAKE_THE_MEAN, Door, warn_if_impossible, warn_if_inconsistent
-from .calibration_history import Calibration, checked_about
+from ._told import LARGER, Told, told_noise
+from .calibration_history import Calibration, InconsistentWarning, checked_about
 from .error_dynamics import checked_model, free_transition, process_noise, transition_of_increments
 from .error_model import ErrorModel
+
+LARGE_BIAS = 1e-3
+"""Deviation of the gyros' biases with which a filter that is linear in them may go astray, rad/s:
+in a minute such a bias turns by three degrees."""
+TAKE_THE_MEAN = (
+    "Gyro biases as large as the prior says lead the filter astray: take the mean at rest out of "
+    "the gyros first, then say in the prior what is left"
+)
+
+
+class FilterFailure(ValueError):
+    """Error of a filter that could not go on to the end of a record.
+
+    Parameters
+    ----------
+    sentence : str
+        What was expected.
+    told : optional
+        The arguments of `calibrate`, for `driftlab.diagnosis.diagnose`.
+
+    Examples
+    --------
+    >>> try:
+    ...     found = calibrate(increments, **told)  # doctest: +SKIP
+    ... except FilterFailure as failure:
+    ...     found = failure
+    """
+
+    def __init__(self, sentence: str, told: Told | None = None) -> None:
+        super().__init__(sentence)
+        self.told = told
 
 
 def calibrate(
@@ -100,25 +132,28 @@ def calibrate(
     Returns
     -------
     Calibration
-        Estimates, their covariance and the innovations.
+        Estimates, their covariance and the innovations. It keeps the arguments, not copies of
+        them, for `driftlab.diagnosis.diagnose`.
 
     Raises
     ------
     ValueError
         If shapes do not fit, the place is a pole, there are fewer than four increments, the
-        reference velocity is said to be without noise, `about` is of another model, or the record
-        contradicts what was told so much that the filter cannot go on.
+        reference velocity is said to be without noise, or `about` is of another model.
+    FilterFailure
+        If the record contradicts what was told so much that the filter cannot go on.
 
     Warns
     -----
     InconsistentWarning
         If gravity or the Earth's rate contradict what was told, the innovations are too large or
         have a mean, the errors found are beyond what the prior allows or too large for one pass, or
-        the rests show other noise than told. It names the likely slips.
+        the rests show other noise than told. `driftlab.diagnosis.diagnose` looks for the cause.
 
     See Also
     --------
     innovation_test : Whether what the filter was told is true.
+    driftlab.diagnosis.diagnose : What may have gone wrong.
     covariance_analysis : The accuracy to be expected, without data.
     unobservable_subspace : What a scheme does not show.
     calibrate_by_poses : Without a turntable.
@@ -196,39 +231,64 @@ def calibrate(
         )
     speed_of_body(reference, "reference_velocity")
     keep = whole_number(keep, "keep")
-    lead = np.broadcast_shapes(
-        measured.angle.shape[:-2],
-        measured.velocity.shape[:-2],
-        reference.shape[:-2],
-        attitude.shape[:-1],
+    told = Told(
+        increments=measured,
+        start=attitude,
+        latitude=place,
+        model=model,
+        prior=prior,
+        noise=noise,
+        reference=reference,
+        ends=ends,
+        first=about is None,
     )
-    door = Door(measured, attitude, place, prior, noise, reference, ends, lead, about is None)
     if about is not None:
-        checked_about(about, model, lead)
-    doubted = warn_if_impossible(door, model, calibrate) if check else None
+        checked_about(about, model, told.lead)
+    doubted = _warn(seen[1:]) if check and (seen := told.impossible()) else None
     try:
-        result = _filtered(door, model, keep, about)
+        found = _filtered(told, keep, about)
     except (ValueError, np.linalg.LinAlgError) as failure:
+        if doubted is None and prior.gyro_bias <= LARGE_BIAS:
+            raise
         if doubted is None:
-            if prior.gyro_bias <= LARGE_BIAS:
-                raise
-            raise ValueError(
+            sentence = (
                 "prior: expected errors that the filter can follow, got a gyro_bias of "
                 f"{prior.gyro_bias:.3g} rad/s, and it could not go on: {failure} {TAKE_THE_MEAN}."
-            ) from failure
-        raise ValueError(
+            )
+            raise FilterFailure(sentence, told) from failure
+        sentence = (
             "increments: expected a record that the filter can follow to its end, got one that "
-            f"contradicts what was told, so that it could not go on: {failure}"
-        ) from doubted
+            f"contradicts what was told, so that it could not go on: {failure} "
+            "driftlab.diagnosis.diagnose, given this error, looks for the cause."
+        )
+        raise FilterFailure(sentence, told) from doubted
     if check and doubted is None:
-        warn_if_inconsistent(result, door, calibrate)
-    return result
+        run, said = found._contradictions(told)
+        if not said and (noise_seen := told_noise(told.run(run))[0]):
+            said = [
+                f"expected noise within a factor of {LARGER:g} of what was told, got "
+                + "; ".join(noise_seen)
+            ]
+        _warn(said + (found._too_large() if told.first else []))
+    return found
 
 
-def _filtered(door: Door, model: ErrorModel, keep: int, about: Calibration | None) -> Calibration:
+def _warn(said: Sequence[str]) -> InconsistentWarning | None:
+    """Warn of contradictions, if there are any, where `calibrate` was called."""
+    if not said:
+        return None
+    warning = InconsistentWarning(
+        f"calibration: {'. Besides, '.join(part.rstrip('?') for part in said)}; "
+        "driftlab.diagnosis.diagnose(found) looks for the cause."
+    )
+    warnings.warn(warning, stacklevel=3)
+    return warning
+
+
+def _filtered(told: Told, keep: int, about: Calibration | None) -> Calibration:
     """The filter itself."""
-    measured, attitude, place, prior, noise, reference, ends, lead, _ = door
-    interval = measured.interval
+    measured, attitude, place, model, prior, noise, reference, ends, _ = told
+    lead, interval = told.lead, measured.interval
     kept = {*range(keep, len(ends), keep), len(ends)}
     lengths = np.diff(ends, prepend=0)
     free = {each: free_transition(place, each * interval) for each in set(lengths.tolist())}
@@ -283,7 +343,17 @@ def _filtered(door: Door, model: ErrorModel, keep: int, about: Calibration | Non
     innovations, predicted = (np.stack(row, axis=len(lead)) for row in zip(*seen, strict=True))
     whitened = _normalised_innovations(innovations, predicted, noise.reference_velocity**2)
     times = interval * ends[[k - 1 for k in sorted(kept)]]
-    return Calibration(model, times, states, covariances, attitudes, velocities, nis, whitened)
+    return Calibration(
+        model=model,
+        times=times,
+        state=states,
+        covariance=covariances,
+        attitude=attitudes,
+        velocity=velocities,
+        nis=nis,
+        innovations=whitened,
+        told=told,
+    )
 
 
 USUAL_INTERVAL = 1.0

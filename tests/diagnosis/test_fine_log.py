@@ -1,19 +1,27 @@
-"""`calibrate` at a table that stands within 10 micrometres a second, on a log of 100 Hz.
+"""`diagnose` at a table that stands within 10 micrometres a second, on a log of 100 Hz.
 
 The pauses are no multiple of any step in which slips are tried; the gyros are ten times better than
 usual, so that small slips show.
 """
 
-import warnings
-from contextlib import suppress
+import pickle
+import re
 
 import numpy as np
 import pytest
 
-from driftlab.calibration import ERROR_MODELS, InconsistentWarning, calibrate, innovation_test
-from driftlab.calibration._contradictions import evidence
-from driftlab.calibration._judge import Judge, Told
+from driftlab.calibration import (
+    ERROR_MODELS,
+    FilterFailure,
+    InconsistentWarning,
+    calibrate,
+    innovation_test,
+    to_json,
+)
+from driftlab.calibration._told import evidence
 from driftlab.checks import UnusualWarning
+from driftlab.diagnosis import diagnose, slips
+from driftlab.diagnosis.slips import _Judge
 from driftlab.earth import EARTH_RATE
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS
 from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorDeviations
@@ -63,6 +71,15 @@ def walking(factor):
     return {"noise": ImuNoise(factor * NOISE.angle_random_walk, reference_velocity=1e-5)}
 
 
+def diagnosed(told):
+    with np.errstate(all="ignore"):
+        try:
+            found = calibrate(**told)
+        except FilterFailure as failure:
+            found = failure
+        return str(diagnose(found))
+
+
 LACKING = "errors that the model does not have, such as lever arms"
 DOUBTS = {
     "place": (arguments(latitude=np.radians(59.0)), r"latitude: (59\.9|60\.0)\d degrees"),
@@ -87,34 +104,30 @@ DOUBTS = {
 @pytest.mark.parametrize("slip", DOUBTS)
 def test_slip_is_named(slip):
     told, words = DOUBTS[slip]
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("error", InconsistentWarning)
-        with pytest.raises(InconsistentWarning, match=words) as caught:
-            calibrate(**told)
-    assert "record again" not in str(caught.value)
+    with pytest.warns(InconsistentWarning, match=r"; driftlab\.diagnosis\.diagnose\(found\) looks"):
+        sentence = diagnosed(told)
+    assert re.search(words, sentence), sentence
+    assert "record again" not in sentence
 
 
 @pytest.mark.parametrize(("increments", "model"), [(PLAIN, MODEL), (ARMED, LARGER)])
 def test_right_run_is_not_doubted_nor_by_the_judge(increments, model):
     """Also not in the coarse steps in which slips are tried."""
-    assert innovation_test(calibrate(**arguments(increments, model=model))).verdict == "consistent"
-    ends = np.arange(200, len(increments.angle), 200)
-    told = Told(increments, TABLE.attitude[0], LATITUDE)
-    judge = Judge(told, np.zeros((len(ends), 3)), ends, PriorDeviations(), NOISE, model, calibrate)
-    assert judge.steps is None
+    found = calibrate(**arguments(increments, model=model))
+    assert innovation_test(found).verdict == "consistent"
+    assert _Judge(found.told).steps is None
+    assert str(diagnose(found)).startswith("Nothing contradicts")
 
 
-def test_the_judge_looks_last_with_the_noise_that_was_told():
+def test_the_judge_looks_last_with_the_noise_that_was_told(monkeypatch):
     def contradicted(rows, reference, *, noise, **told):
         if noise.reference_velocity > NOISE.reference_velocity:
             return calibrate(rows, reference, noise=noise, **told)
         raise ValueError("as if nothing fitted")
 
-    ends = np.arange(200, len(PLAIN.angle), 200)
-    told = Told(PLAIN, TABLE.attitude[0], LATITUDE)
-    still, prior = np.zeros((len(ends), 3)), PriorDeviations()
-    judge = Judge(told, still, ends, prior, NOISE, MODEL, contradicted)
-    assert judge.steps == (NOISE.reference_velocity, 0.02)
+    told = calibrate(**arguments()).told
+    monkeypatch.setattr(slips, "calibrate", contradicted)
+    assert _Judge(told).steps == (NOISE.reference_velocity, 0.02)
 
 
 def test_only_slips_beyond_the_prior_are_named():
@@ -142,21 +155,27 @@ def test_one_update_for_the_whole_record_needs_little_room():
 def test_rates_for_increments_are_named_whether_the_filter_can_go_on_or_not():
     # It diverges, and rounding decides whether a step becomes a whole turn.
     fast = Increments(0.01, 100 * PLAIN.angle, 100 * PLAIN.velocity)
-    with (
-        pytest.warns(InconsistentWarning, match="gyros: rates taken for increments"),
-        suppress(ValueError),
-    ):
-        calibrate(**arguments(fast))
+    with pytest.warns(InconsistentWarning, match="expected gravity and the Earth's rate"):
+        assert "gyros: rates taken for increments" in diagnosed(arguments(fast))
 
 
-def test_filter_that_cannot_go_on_says_so_in_one_sentence():
+def test_filter_that_cannot_go_on_says_so_in_one_sentence_and_keeps_its_arguments():
     fast = Increments(0.01, 5000 * PLAIN.angle, 5000 * PLAIN.velocity)
-    with (
-        pytest.warns(InconsistentWarning),
-        pytest.raises(ValueError, match=r"^increments: .* could not go on: position: ") as no,
-    ):
+    words = r"^increments: .* could not go on: position: .*diagnose, given this error, looks"
+    with pytest.warns(InconsistentWarning), pytest.raises(FilterFailure, match=words) as no:
         calibrate(**arguments(fast))
     assert isinstance(no.value.__cause__, InconsistentWarning)
+    kept = pickle.loads(pickle.dumps(no.value))
+    assert str(kept) == str(no.value)
+    np.testing.assert_array_equal(kept.told.increments.angle, fast.angle)
+
+
+def test_a_calibration_keeps_its_arguments_and_no_copies():
+    found = calibrate(**arguments())
+    assert found.told.increments.angle is PLAIN.angle
+    assert found == found
+    np.testing.assert_array_equal(pickle.loads(pickle.dumps(found)).told.start, found.told.start)
+    assert "told" not in to_json(found)
 
 
 @pytest.mark.parametrize(

@@ -1,17 +1,17 @@
-"""What contradicts what a filter was told: gravity, the Earth's rate, noise and innovations.
+"""What a filter is told, and what a record contradicts of it before any filter runs.
 
-Before any filter, gravity, carried by the gyros into axes that do not turn, must stay on the cone
-on which the Earth carries Up; in pauses the gyros must show the Earth's rate, and noise as told.
+Gravity, carried by the gyros into axes that do not turn, must stay on the cone on which the Earth
+carries Up; in pauses the gyros must show the Earth's rate, and no more noise than told.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.constants import arcsecond, degree, g, hour, micro
+from scipy.constants import degree, hour
 from scipy.special import chdtri
 
 from driftlab.checks import FloatArray
@@ -23,8 +23,10 @@ from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
 from driftlab.strapdown import ALGORITHM
 
-from .calibration_history import Calibration, InnovationTest
+from .error_model import ErrorModel
 
+FITS = 6.0
+"""Misfit that may still be a right record's."""
 _STEP = 0.1
 """Increments are added up to steps of about this, rad."""
 _WINDOWS = 100
@@ -105,6 +107,67 @@ class Evidence(NamedTuple):
         summed = np.take_along_axis(ordered, np.maximum(count - 1, 0), axis=-1)[..., 0]
         rate = np.where(rests.any(axis=-1), summed / np.maximum(count[..., 0], 1), 0.0) / least
         return np.sqrt(np.maximum(force, rate))
+
+
+class Told(NamedTuple):
+    """Arguments of a calibration, checked: of several runs, or of one."""
+
+    increments: Increments
+    start: FloatArray
+    latitude: float
+    model: ErrorModel
+    prior: PriorDeviations
+    noise: ImuNoise
+    reference: FloatArray
+    """Velocities (..., k, 3) of the table, m/s,"""
+    ends: NDArray[Any]
+    """and when (k,), as numbers of increments"""
+    first: bool = True
+    """Whether it is the first pass over the record"""
+
+    @property
+    def lead(self) -> tuple[int, ...]:
+        """Leading axes of the runs."""
+        rows = self.increments.angle, self.increments.velocity, self.reference
+        return np.broadcast_shapes(*(row.shape[:-2] for row in rows), self.start.shape[:-1])
+
+    @property
+    def expected(self) -> Expected:
+        """How far a right record may be off."""
+        return Expected(self.prior, self.noise, float(np.abs(self.reference).max()))
+
+    def run(self, number: int) -> Told:
+        """What one run was told."""
+
+        def own(rows: FloatArray, core: int) -> FloatArray:
+            shape = rows.shape[rows.ndim - core :]
+            return np.broadcast_to(rows, (*self.lead, *shape)).reshape(-1, *shape)[number]
+
+        interval, angle, velocity = self.increments
+        return self._replace(
+            increments=Increments(interval, own(angle, 2), own(velocity, 2)),
+            start=own(self.start, 1),
+            reference=own(self.reference, 2),
+        )
+
+    def misfit(self, shown: Evidence | None) -> FloatArray:
+        """How badly evidence fits what one run was told; infinite where there is none."""
+        if shown is None:
+            return np.array(np.inf)
+        return shown.misfit(self.start, self.latitude, self.expected)
+
+    def impossible(self) -> tuple[int, str] | None:
+        """The first run (its number) that gravity or the Earth's rate contradict, and a sentence;
+        None if none is contradicted."""
+        for number in range(int(np.prod(self.lead))):
+            one = self.run(number)
+            size = float(one.misfit(evidence(one.increments)))
+            if size > FITS:
+                return number, (
+                    "expected gravity and the Earth's rate to be where start, latitude and "
+                    f"increments have them within {FITS:g} deviations, got {size:.3g}"
+                )
+        return None
 
 
 def evidence(increments: Increments) -> Evidence | None:
@@ -195,19 +258,17 @@ _NEAR = 1.3
 """Sensors that are better than told are no slip; but noise so near to that in another unit is."""
 
 
-def told_noise(
-    increments: Increments, shown: Evidence | None, told: ImuNoise
-) -> tuple[list[str], ImuNoise]:
-    """Sentences on the noise of gyros and accelerometers if it is not what was told, and what it is
-    then."""
+def told_noise(told: Told) -> tuple[list[str], ImuNoise]:
+    """Sentences on the noise of gyros and accelerometers if it is not what one run was told, and
+    what it is then."""
+    increments, right, shown = told.increments, told.noise, evidence(told.increments)
     sentences: list[str] = []
-    right = told
     triads = (
         ("gyros", "angle_random_walk", increments.angle),
         ("accelerometers", "velocity_random_walk", increments.velocity),
     )
     for triad, name, rows in triads:
-        size = float(getattr(told, name))
+        size = float(getattr(told.noise, name))
         if shown is None or size == 0:
             continue
         found = _random_walk(rows, shown, increments.interval)
@@ -244,86 +305,3 @@ def _unit(ratio: float) -> str:
         if 1 / _NEAR < ratio * factor < _NEAR:
             return f": {name}"
     return ""
-
-
-_KNOWN_NOISE = 1.25
-"""No noise is known better; the squares may be so many times as large as their bound."""
-
-
-SECOND_ORDER = 2.0
-"""Square of the largest scale or installation error over the least stated deviation, from which on
-one pass is too few."""
-
-
-BEYOND = 6.0
-"""Prior deviations that no error is expected to have: one of 10^7 right units has one of 21."""
-
-
-_UNITS = {
-    "gyro bias": (float(hour / degree), "deg/h"),
-    "accelerometer bias": (1 / (micro * g), "µg"),
-    "scale": (1e6, "ppm"),
-    "installation": (float(1 / arcsecond), "arc seconds"),
-    "non-orthogonality": (float(1 / arcsecond), "arc seconds"),
-}
-
-
-def contradiction(test: InnovationTest) -> tuple[int, str] | None:
-    """The run (its number) that the test finds worst, and a sentence on it; None if none is wrong.
-
-    As noise is not known exactly, squares count from a quarter above their bound on.
-    """
-    squares = np.ravel(test.squares) / (_KNOWN_NOISE * test.upper)
-    means = np.ravel(test.mean) / test.mean_upper
-    worst = int(np.argmax(np.maximum(squares, means)))
-    if squares[worst] > 1 and squares[worst] >= means[worst]:
-        name, size, bound = "squared innovations (NIS / 3)", np.ravel(test.squares), test.upper
-        low = test.lower
-    elif means[worst] > 1:
-        name, size, bound = "squared mean of the innovations", np.ravel(test.mean), test.mean_upper
-        low = 0.0
-    else:
-        return None
-    return worst, f"expected {name} from {low:.3g} to {bound:.3g}, got {size[worst]:.3g}"
-
-
-def second_order(calibration: Calibration) -> float:
-    """Square of the largest scale or installation error found over the least deviation stated of
-    any, worst run."""
-    model = calibration.model
-    places = [
-        index
-        for index, name in enumerate(model.names)
-        if " scale " in name or " installation " in name
-    ]
-    errors = np.abs(calibration.state[..., -1, places]).max(axis=-1)
-    known = calibration.deviations[..., -1, places]
-    least = np.where(known > 0, known, np.inf).min(axis=-1)
-    return float(np.max(errors**2 / least))
-
-
-def beyond_prior(
-    calibration: Calibration, prior: PriorDeviations, start: FloatArray
-) -> tuple[int, list[str]]:
-    """The worst run (its number), and sentences on errors found in it that the prior does not
-    allow, the largest of each kind."""
-    model = calibration.model
-    known = np.sqrt(np.diag(model.covariance(prior, start.reshape(-1, 4)[0])))
-    found = calibration.state[..., -1, :].reshape(-1, model.size)
-    ratios = np.divide(np.abs(found), known, out=np.zeros_like(found), where=known > 0)
-    ratios[:, :6] = 0.0
-    run = int(np.argmax(ratios.max(axis=-1)))
-    places = np.flatnonzero(ratios[run] > BEYOND)
-    worst: dict[str, str] = {}
-    for place in places[np.argsort(-ratios[run, places], kind="stable")]:
-        kind = model.names[place].rsplit(" ", 1)[0]
-        size, unit = next(
-            ((size, f" {unit}") for end, (size, unit) in _UNITS.items() if kind.endswith(end)),
-            (1.0, " in SI units"),
-        )
-        worst.setdefault(
-            kind,
-            f"{model.names[place]}: found {size * found[run, place]:.3g}{unit} where the prior "
-            f"says {size * known[place]:.3g}",
-        )
-    return run, list(worst.values())
