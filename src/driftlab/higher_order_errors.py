@@ -14,11 +14,13 @@ table meets next; each is linear in its own constants.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
-from .checks import FloatArray, checked_instance, finite_arrays
+from .checks import FloatArray, checked_instance, finite_arrays, some_of
 from .core.lever_arms import lever_matrices
 
 
@@ -61,32 +63,106 @@ class HigherOrderErrors(NamedTuple):
     gyro_g_sensitivity: FloatArray
 
 
+class _Term(NamedTuple):
+    """One kind of error: all that names, states, priors, simulation, filter and JSON follow from.
+
+    Three sensors have constants of their own, or share one. The effect of times (..., n, 1),
+    angles, velocities and changes of the rate (..., n, 3) is what each sensor feels besides of a
+    constant one: an array (..., n, 3), or (..., n, 3, 3) if each sensor has three constants.
+    """
+
+    field: str  # of `HigherOrderErrors`
+    shape: tuple[int, ...]  # of that field: (3, 3), (3,) or ()
+    unit: str
+    states: str  # beginning of their names; the first word is the sensor
+    prior: str  # field of `driftlab.imu.PriorDeviations`
+    effect: Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the states."""
+        ends = [""]
+        for _ in self.shape:
+            ends = [end + axis for end in ends for axis in "xyz"]
+        return tuple(f"{self.states} {end}".rstrip() for end in ends)
+
+    def rows(
+        self, times: FloatArray, angle: FloatArray, velocity: FloatArray, change: FloatArray
+    ) -> FloatArray:
+        """The effect (..., n, 3, k) of k constants of each sensor."""
+        rows = self.effect(times[..., np.newaxis], angle, velocity, change)
+        return rows if len(self.shape) == 2 else rows[..., np.newaxis]
+
+
+TERMS = MappingProxyType({
+    "lever arms": _Term(
+        field="lever_arms",
+        shape=(3, 3),
+        unit="m",
+        states="accelerometer lever arm",
+        prior="lever_arm",
+        effect=lambda times, angle, velocity, change: lever_matrices(times[..., 0], angle, change),
+    ),
+    "time skew": _Term(
+        field="time_skew",
+        shape=(),
+        unit="s",
+        states="accelerometer time skew",
+        prior="time_skew",
+        effect=lambda times, angle, velocity, change: np.cross(angle, velocity) / times,
+    ),
+    "accelerometer quadratic": _Term(
+        field="accelerometer_quadratic",
+        shape=(3,),
+        unit="s^2/m",
+        states="accelerometer quadratic",
+        prior="accelerometer_quadratic",
+        effect=lambda times, angle, velocity, change: velocity**2 / times,
+    ),
+    "gyro g-sensitivity": _Term(
+        field="gyro_g_sensitivity",
+        shape=(3, 3),
+        unit="(rad/s)/(m/s^2)",
+        states="gyro g-sensitivity",
+        prior="gyro_g_sensitivity",
+        effect=lambda times, angle, velocity, change: velocity[..., np.newaxis, :].repeat(3, -2),
+    ),
+})  # fmt: skip
+"""The errors, by the names that `driftlab.calibration.ErrorModel.with_states` knows."""
+
 NO_HIGHER_ORDER_ERRORS = HigherOrderErrors(
-    np.zeros((3, 3)), np.zeros(()), np.zeros(3), np.zeros((3, 3))
+    **{term.field: np.zeros(term.shape) for term in TERMS.values()}
 )
 """A unit that has biases and error matrices only."""
 for _array in NO_HIGHER_ORDER_ERRORS:
     _array.setflags(write=False)
 
 
+def checked_terms(chosen: tuple[str, ...]) -> tuple[str, ...]:
+    """Return chosen errors in the order of `TERMS`, each once, refusing unknown names."""
+    some_of(chosen, TERMS, "states")
+    return tuple(name for name in TERMS if name in chosen)
+
+
 def checked_higher_order_errors(higher_order: HigherOrderErrors) -> HigherOrderErrors:
     """Return higher-order errors as arrays whose leading axes are broadcast to each other."""
     checked_instance(higher_order, HigherOrderErrors, "higher_order")
-    arms, skew, quadratic, sensitivity = finite_arrays(
-        lever_arms=(higher_order.lever_arms, 3, 3),
-        time_skew=(higher_order.time_skew,),
-        accelerometer_quadratic=(higher_order.accelerometer_quadratic, 3),
-        gyro_g_sensitivity=(higher_order.gyro_g_sensitivity, 3, 3),
+    terms = TERMS.values()
+    arrays = finite_arrays(
+        **{term.field: (getattr(higher_order, term.field), *term.shape) for term in terms}
     )
-    lead = np.broadcast_shapes(
-        arms.shape[:-2], skew.shape, quadratic.shape[:-1], sensitivity.shape[:-2]
-    )
+    lead = _lead(arrays)
     return HigherOrderErrors(
-        np.broadcast_to(arms, (*lead, 3, 3)),
-        np.broadcast_to(skew, lead),
-        np.broadcast_to(quadratic, (*lead, 3)),
-        np.broadcast_to(sensitivity, (*lead, 3, 3)),
-    )
+        *(np.broadcast_to(each, (*lead, *term.shape))
+          for each, term in zip(arrays, terms, strict=True))
+    )  # fmt: skip
+
+
+def _lead(errors: Iterable[FloatArray]) -> tuple[int, ...]:
+    """Common leading axes of errors in their order."""
+    shapes = (each.shape[: each.ndim - len(term.shape)]
+              for each, term in zip(errors, TERMS.values(), strict=True))  # fmt: skip
+    return np.broadcast_shapes(*shapes)
 
 
 def rate_changes(interval: float, angle: FloatArray) -> FloatArray:
@@ -159,9 +235,15 @@ def felt_besides(
     """
     if rate_change is None:
         rate_change = rate_changes(interval, angle)
-    arms, skew, quadratic, sensitivity = higher_order
-    # Accelerometer i feels component i of what acts at its own place.
-    more = (lever_matrices(interval, angle, rate_change) * arms[..., np.newaxis, :, :]).sum(-1)
-    more += skew[..., np.newaxis, np.newaxis] * np.cross(angle, velocity) / interval
-    more += quadratic[..., np.newaxis, :] * velocity**2 / interval
-    return velocity @ sensitivity.swapaxes(-1, -2), more
+    times = np.full(angle.shape[-2:-1], interval)
+    lead = _lead(higher_order)
+    shape = np.broadcast_shapes((*lead, 1, 1), angle.shape, velocity.shape)
+    felt = {"gyro": np.zeros(shape), "accelerometer": np.zeros(shape)}
+    for term in TERMS.values():
+        constants = getattr(higher_order, term.field)
+        if constants.any():
+            own = constants.shape[: constants.ndim - len(term.shape)]
+            each = constants.reshape(*own, 1, *term.shape, *[1] * (2 - len(term.shape)))
+            rows = term.rows(times, angle, velocity, rate_change)
+            felt[term.states.split()[0]] += (rows * each).sum(-1)
+    return felt["gyro"], felt["accelerometer"]

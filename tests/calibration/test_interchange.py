@@ -264,4 +264,4 @@ def test_the_text_says_units_and_nothing_that_is_no_json():
     text = to_json(KeptCalibration(UNIT, DEVIATIONS, HIGHER, ImuNoise()))
     quantities = json.loads(text, parse_constant=lambda word: pytest.fail(word))["quantities"]
     assert all(re.fullmatch(r"1|[\w/^()]+", one["unit"]) for one in quantities.values())
-    assert len(quantities) == 4 + 4 + 3
+    assert len(quantities) == 4 + 2 + 3

@@ -18,16 +18,16 @@ from driftlab.checks import (
     named_or_own,
     shown,
 )
-from driftlab.core.lever_arms import lever_matrices
 from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.earth import checked_latitude, curvature_radii, earth_rate, gravity
+from driftlab.higher_order_errors import TERMS
 from driftlab.imu import ImuNoise
 from driftlab.increments import Increments
 from driftlab.motion.scheme import Scheme, checked_scheme
 from driftlab.motion.turntable import Segment, segments
 
-from .error_model import ERROR_MODELS, FULL, GROUPS, ErrorModel
+from .error_model import ERROR_MODELS, FULL, ErrorModel
 
 _UNIT = np.eye(6)  # made once, for the many steps of a filter
 
@@ -187,7 +187,10 @@ def transition(
     moved[..., 3:, accelerometer] = carried[..., :3, :] @ pushes
     if model.higher_order:
         changes = np.zeros(3) if rate_change is None else rate_change
-        tilts, pushes = _higher_order_effects(model.higher_order, times, angle, velocity, changes)
+        tilts, pushes = (
+            rows.reshape(*rows.shape[:-3], -1, rows.shape[-1])
+            for rows in _higher_order_effects(model.higher_order, times, angle, velocity, changes)
+        )
         moved[..., model.triad_states :] = -carried @ tilts
         moved[..., 3:, model.triad_states :] += carried[..., :3, :] @ pushes
     matrix = np.empty((*lead, model.size, model.size))
@@ -272,48 +275,22 @@ def _higher_order_effects(
     velocity: FloatArray,
     rate_change: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Errors of gyros and accelerometers (..., 3 n, m), three rows a node, of each state.
+    """Errors of gyros and accelerometers (..., n, 3, m) at n nodes of each of m states.
 
     The derivatives of `driftlab.higher_order_errors.felt_besides`.
     """
     lead = np.broadcast_shapes(times.shape, angle.shape[:-1], velocity.shape[:-1])
-    seconds = times[..., np.newaxis]
-    of_gyros, of_accelerometers = [], []
-    for name in chosen:
-        count = len(GROUPS[name].names)
-        turned = pushed = np.zeros((*lead, 3, count))
-        if name == "lever arms":
-            arms = lever_matrices(times, angle, rate_change)
-            pushed = _on_the_diagonal(arms)
-        elif name == "time skew":
-            pushed = (np.cross(angle, velocity) / seconds)[..., np.newaxis]
-        elif name == "accelerometer quadratic":
-            pushed = (velocity**2 / seconds)[..., np.newaxis] * np.eye(3)
-        else:
-            rows = np.broadcast_to(velocity[..., np.newaxis, :], (*velocity.shape, 3))
-            turned = _on_the_diagonal(rows)
-        of_gyros.append(np.broadcast_to(turned, (*lead, 3, count)))
-        of_accelerometers.append(np.broadcast_to(pushed, (*lead, 3, count)))
-    shape = (*lead[:-1], 3 * lead[-1], -1)
-    return (
-        np.concatenate(of_gyros, axis=-1).reshape(shape),
-        np.concatenate(of_accelerometers, axis=-1).reshape(shape),
-    )
-
-
-def _effect_of_a_jump(chosen: tuple[str, ...], change: FloatArray) -> FloatArray:
-    """Velocity (..., 3, m) in body axes that a jump (..., 3) of the rate makes of each state."""
-    count = sum(len(GROUPS[name].names) for name in chosen)
-    pushes = np.zeros((*change.shape[:-1], 3, count))
-    if "lever arms" in chosen:  # which stand first; the others do not feel it
-        pushes[..., :9] = _on_the_diagonal(cross_matrix(change))
-    return pushes
-
-
-def _on_the_diagonal(rows: FloatArray) -> FloatArray:
-    """Matrices (..., 3, 9): row i of (..., 3, 3) acts on the i-th three of nine states."""
-    blocks = np.eye(3)[:, :, np.newaxis] * rows[..., :, np.newaxis, :]
-    return blocks.reshape(*rows.shape[:-1], 9)
+    of_gyros, of_accelerometers = [np.zeros((*lead, 3, 0))], [np.zeros((*lead, 3, 0))]
+    for term in (TERMS[name] for name in chosen):
+        rows = term.rows(times, angle, velocity, rate_change)
+        if term.shape:  # row i acts on the constants of sensor i alone
+            rows = np.eye(3)[:, :, np.newaxis] * rows[..., np.newaxis, :]
+            rows = rows.reshape(*rows.shape[:-2], -1)
+        rows = np.broadcast_to(rows, (*lead, *rows.shape[-2:]))
+        felt = term.states.startswith("gyro")
+        of_gyros.append(rows if felt else np.zeros_like(rows))
+        of_accelerometers.append(np.zeros_like(rows) if felt else rows)
+    return np.concatenate(of_gyros, axis=-1), np.concatenate(of_accelerometers, axis=-1)
 
 
 def process_noise(noise: ImuNoise, force: FloatArray, duration: FloatArray) -> FloatArray:
@@ -536,7 +513,9 @@ def _jumps(model: ErrorModel, row: list[Segment]) -> FloatArray:
     change = np.diff(spin, axis=0, prepend=spin[:1])
     attitude = to_matrix(np.array([segment.attitude for segment in row]))
     jumps = np.broadcast_to(np.eye(model.size), (len(row), model.size, model.size)).copy()
-    jumps[:, 3:6, model.triad_states :] = attitude @ _effect_of_a_jump(model.higher_order, change)
+    still, at_once = np.zeros_like(change), np.ones(len(row))
+    _, pushes = _higher_order_effects(model.higher_order, at_once, still, still, change)
+    jumps[:, 3:6, model.triad_states :] = attitude @ pushes
     return jumps
 
 

@@ -14,7 +14,6 @@ from dataclasses import dataclass, replace
 from functools import cache
 from threading import Lock
 from types import MappingProxyType
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -32,8 +31,10 @@ from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
+    TERMS,
     HigherOrderErrors,
     checked_higher_order_errors,
+    checked_terms,
 )
 from driftlab.imu import ImuErrors, PriorDeviations
 from driftlab.increments import Increments, without_errors
@@ -64,53 +65,13 @@ def _named(kind: str, places: list[tuple[int, int]]) -> list[str]:
     return [f"{kind} {AXES[i]}" if i == j else f"{kind} {AXES[i]}{AXES[j]}" for i, j in places]
 
 
-_PAIRS = [f"{i}{j}" for i in AXES for j in AXES]
-
-
-class _Group(NamedTuple):
-    """States that are chosen together: a field of `HigherOrderErrors`, row by row."""
-
-    field: str
-    prior: str
-    names: tuple[str, ...]
-
-
-GROUPS = MappingProxyType({
-    "lever arms": _Group(
-        "lever_arms", "lever_arm", tuple(f"accelerometer lever arm {pair}" for pair in _PAIRS)
-    ),
-    "time skew": _Group("time_skew", "time_skew", ("accelerometer time skew",)),
-    "accelerometer quadratic": _Group(
-        "accelerometer_quadratic",
-        "accelerometer_quadratic",
-        tuple(f"accelerometer quadratic {axis}" for axis in AXES),
-    ),
-    "gyro g-sensitivity": _Group(
-        "gyro_g_sensitivity",
-        "gyro_g_sensitivity",
-        tuple(f"gyro g-sensitivity {pair}" for pair in _PAIRS),
-    ),
-})  # fmt: skip
-"""What can be added to the states of bias and matrix."""
-
-
-def checked_groups(chosen: tuple[str, ...]) -> tuple[str, ...]:
-    """Return chosen groups in the order of `GROUPS`, each once, refusing unknown ones."""
-    for name in chosen:
-        if not isinstance(name, str) or name not in GROUPS:
-            raise ValueError(f"states: expected some of {', '.join(GROUPS)}, got {shown(name)}.")
-    return tuple(name for name in GROUPS if name in chosen)
-
-
 def _unpacked(values: FloatArray, chosen: tuple[str, ...]) -> HigherOrderErrors:
-    """Errors (...) of states (..., m); zero for the groups that are not chosen."""
+    """Errors (...) of states (..., m); zero for those that are not chosen."""
     fields, begin = {}, 0
-    for name in chosen:
-        group = GROUPS[name]
-        part = values[..., begin : begin + len(group.names)]
-        shape = getattr(NO_HIGHER_ORDER_ERRORS, group.field).shape
-        fields[group.field] = part.reshape((*values.shape[:-1], *shape))
-        begin += len(group.names)
+    for term in (TERMS[name] for name in chosen):
+        end = begin + len(term.names)
+        fields[term.field] = values[..., begin:end].reshape((*values.shape[:-1], *term.shape))
+        begin = end
     return NO_HIGHER_ORDER_ERRORS._replace(**fields)
 
 
@@ -118,14 +79,14 @@ def _packed(higher_order: HigherOrderErrors, chosen: tuple[str, ...]) -> FloatAr
     """States (..., m) of errors (...)."""
     errors = checked_higher_order_errors(higher_order)
     lead = errors.time_skew.shape
-    parts = [getattr(errors, GROUPS[name].field).reshape(*lead, -1) for name in chosen]
+    parts = [getattr(errors, TERMS[name].field).reshape(*lead, -1) for name in chosen]
     return np.concatenate([np.zeros((*lead, 0)), *parts], axis=-1)
 
 
 def _prior_deviations(prior: PriorDeviations, chosen: tuple[str, ...]) -> FloatArray:
     """Standard deviations (m,) of the states before a calibration."""
-    groups = [GROUPS[name] for name in chosen]
-    return np.array([getattr(prior, group.prior) for group in groups for _ in group.names])
+    terms = [TERMS[name] for name in chosen]
+    return np.array([getattr(prior, term.prior) for term in terms for _ in term.names])
 
 
 _ONE_AT_A_TIME = Lock()
@@ -145,7 +106,7 @@ class ErrorModel:
     names : tuple of str
         Name of each state, in order.
     higher_order : tuple of str
-        Groups of states behind those of the triads; see `with_states`.
+        Errors whose states stand behind those of the triads; see `with_states`.
 
     Examples
     --------
@@ -316,8 +277,7 @@ class ErrorModel:
         Parameters
         ----------
         *groups : str
-            Some of "lever arms" (nine states), "time skew" (one), "accelerometer quadratic" (three)
-            and "gyro g-sensitivity" (nine).
+            Some of `driftlab.higher_order_errors.TERMS`, "lever arms" for one: nine states.
 
         Returns
         -------
@@ -335,7 +295,7 @@ class ErrorModel:
         >>> larger.size, larger.names[27], larger.names[-1]
         (37, 'accelerometer lever arm xx', 'accelerometer time skew')
         """
-        chosen = checked_groups((*self.higher_order, *groups))
+        chosen = checked_terms((*self.higher_order, *groups))
         if chosen == self.higher_order:
             return self
         with _ONE_AT_A_TIME:  # models are told apart as objects; two threads would make two of one
@@ -431,7 +391,7 @@ class ErrorModel:
 def _with_states(model: ErrorModel, groups: tuple[str, ...]) -> ErrorModel:
     """Model with other groups of higher order; one object for each choice."""
     names = model.names[: model.triad_states]
-    names += tuple(name for group in groups for name in GROUPS[group].names)
+    names += tuple(name for group in groups for name in TERMS[group].names)
     return replace(model, names=names, higher_order=groups)
 
 

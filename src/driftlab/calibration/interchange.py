@@ -20,6 +20,7 @@ from driftlab.checks import FloatArray, checked_instance, checked_text, finite_a
 from driftlab.drift.weighing_designs import TurnFit
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
+    TERMS,
     HigherOrderErrors,
     checked_higher_order_errors,
 )
@@ -41,10 +42,7 @@ _UNITS = {
     "gyro_error": "1",
     "accelerometer_bias": "m/s^2",
     "accelerometer_error": "1",
-    "lever_arms": "m",
-    "time_skew": "s",
-    "accelerometer_quadratic": "s^2/m",
-    "gyro_g_sensitivity": "(rad/s)/(m/s^2)",
+    **{term.field: term.unit for term in TERMS.values()},
     "angle_random_walk": "rad/sqrt(s)",
     "velocity_random_walk": "(m/s)/sqrt(s)",
     "reference_velocity": "m/s",
@@ -257,7 +255,8 @@ def calibration_document(
         quantities[key] = (_UNITS[key], value, spread and getattr(spread, key))
     if kept.higher_order is not None:
         for key, value in checked_higher_order_errors(kept.higher_order)._asdict().items():
-            quantities[key] = (_UNITS[key], value, None)
+            if value.any():  # what is zero need not be known to the program that reads it
+                quantities[key] = (_UNITS[key], value, None)
     noise = noise or kept.noise
     for key in _NOISE if noise else ():
         quantities[key] = (_UNITS[key], getattr(noise, key), None)

@@ -30,6 +30,7 @@ from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.earth import checked_latitude
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
+    TERMS,
     HigherOrderErrors,
     checked_higher_order_errors,
 )
@@ -50,7 +51,6 @@ from .calibration_history import Calibration
 from .error_dynamics import linearize_along
 from .error_model import (
     ERROR_MODELS,
-    GROUPS,
     ErrorModel,
     _prior_deviations,
     _unpacked,
@@ -238,7 +238,7 @@ class TableTrial:
         one_of(self.frame, ERROR_MODELS, "frame")
         keep(
             self,
-            states=some_of(self.states, GROUPS, "states"),
+            states=some_of(self.states, TERMS, "states"),
             keep=whole_number(self.keep, "keep"),
             passes=whole_number(self.passes, "passes"),
             sample_interval=positive_number(self.sample_interval, "sample_interval"),
