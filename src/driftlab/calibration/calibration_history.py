@@ -22,6 +22,7 @@ from driftlab.checks import FloatArray, checked_instance
 from driftlab.core import quaternion
 from driftlab.core.loops import attitudes
 from driftlab.earth import earth_rate
+from driftlab.higher_order_errors import TERMS
 from driftlab.imu import ImuErrors, PriorDeviations
 from driftlab.increments import Increments
 from driftlab.strapdown import ALGORITHM
@@ -45,7 +46,9 @@ _UNITS = {
     "scale": (1e6, "ppm"),
     "installation": (float(1 / arcsecond), "arc seconds"),
     "non-orthogonality": (float(1 / arcsecond), "arc seconds"),
+    **{term.states: (1.0, term.unit) for term in TERMS.values()},
 }
+"""In what errors are said, by a part of the names of their states."""
 
 
 class Calibration(NamedTuple):
@@ -186,15 +189,12 @@ class Calibration(NamedTuple):
         places = np.flatnonzero(ratios[run] > BEYOND)
         worst: dict[str, str] = {}
         for place in places[np.argsort(-ratios[run, places], kind="stable")]:
-            kind = model.names[place].rsplit(" ", 1)[0]
-            size, unit = next(
-                ((size, f" {unit}") for end, (size, unit) in _UNITS.items() if kind.endswith(end)),
-                (1.0, " in SI units"),
-            )
+            name = model.names[place]
+            size, unit = next(unit for part, unit in _UNITS.items() if part in name)
             worst.setdefault(
-                kind,
-                f"{model.names[place]}: found {size * found[run, place]:.3g}{unit} where the prior "
-                f"says {size * known[place]:.3g}",
+                name.rsplit(" ", 1)[0],
+                f"{name}: found {size * found[run, place]:.3g} {unit} where the prior says "
+                f"{size * known[place]:.3g}",
             )
         return run, list(worst.values())
 
