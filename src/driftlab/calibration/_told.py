@@ -125,6 +125,9 @@ class Told(NamedTuple):
     first: bool = True
     """Whether it is the first pass over the record"""
 
+    def __repr__(self) -> str:
+        return f"<arguments of a calibration of {self.reference.shape[-2]} updates>"
+
     @property
     def lead(self) -> tuple[int, ...]:
         """Leading axes of the runs."""
