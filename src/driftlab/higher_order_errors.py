@@ -1,6 +1,6 @@
 """Errors of an inertial unit beyond bias and matrix: size effect, time skew, g^2, g-sensitivity.
 
-`ImuErrors` is linear in what one sensor feels at one moment. These four are what a calibration on a
+`ImuErrors` is linear in what one sensor feels at one moment. These are what a calibration on a
 table meets next; each is linear in its own constants.
 
 - Size effect: accelerometer i sits at the inner lever arm r_i from the point that the table turns
@@ -10,6 +10,10 @@ table meets next; each is linear in its own constants.
   turned meanwhile: ``tau w × f``. The specific force is taken to be fixed to the local axes.
 - Quadratic: ``K2 f^2``, each accelerometer by itself.
 - g-sensitivity: a gyro feels ``G f``.
+- Scale-factor asymmetry (IEEE Std 528): the scale factors for positive and negative input differ
+  by 2 a, so a sensor feels ``a |w|`` or ``a |f|`` besides. The integral of ``|w|`` over an interval
+  is the size of the angle, unless w changes its sign there: then the effect comes out too small, by
+  2 a times the angle turned in the rarer direction. Vibration within an interval does not count.
 """
 
 from __future__ import annotations
@@ -22,6 +26,9 @@ import numpy as np
 
 from .checks import FloatArray, checked_instance, finite_arrays, some_of
 from .core.lever_arms import lever_matrices
+
+_NONE = np.zeros(3)
+_NONE.setflags(write=False)
 
 
 class HigherOrderErrors(NamedTuple):
@@ -41,6 +48,9 @@ class HigherOrderErrors(NamedTuple):
         K2 of each accelerometer, s^2/m.
     gyro_g_sensitivity : ndarray, shape (..., 3, 3)
         G: row i is the gyro's, (rad/s)/(m/s^2).
+    gyro_scale_asymmetry, accelerometer_scale_asymmetry : ndarray, shape (..., 3)
+        a of each sensor: half of how much its scale factor for positive input exceeds that for
+        negative input, without unit.
 
     Notes
     -----
@@ -61,6 +71,8 @@ class HigherOrderErrors(NamedTuple):
     time_skew: FloatArray
     accelerometer_quadratic: FloatArray
     gyro_g_sensitivity: FloatArray
+    gyro_scale_asymmetry: FloatArray = _NONE
+    accelerometer_scale_asymmetry: FloatArray = _NONE
 
 
 class _Term(NamedTuple):
@@ -126,6 +138,22 @@ TERMS = MappingProxyType({
         states="gyro g-sensitivity",
         prior="gyro_g_sensitivity",
         effect=lambda times, angle, velocity, change: velocity[..., np.newaxis, :].repeat(3, -2),
+    ),
+    "gyro scale-factor asymmetry": _Term(
+        field="gyro_scale_asymmetry",
+        shape=(3,),
+        unit="1",
+        states="gyro scale-factor asymmetry",
+        prior="scale_asymmetry",
+        effect=lambda times, angle, velocity, change: np.abs(angle),
+    ),
+    "accelerometer scale-factor asymmetry": _Term(
+        field="accelerometer_scale_asymmetry",
+        shape=(3,),
+        unit="1",
+        states="accelerometer scale-factor asymmetry",
+        prior="scale_asymmetry",
+        effect=lambda times, angle, velocity, change: np.abs(velocity),
     ),
 })  # fmt: skip
 """The errors, by the names that `driftlab.calibration.ErrorModel.with_states` knows."""

@@ -125,7 +125,7 @@ class PriorDeviations:
         Off-diagonal entries of both error matrices, rad, independent of each other.
     lever_arm : float
         Each component of the accelerometers' lever arms, m; about the size of a unit. This and the
-        next three count only where `HigherOrderErrors` are among the unknowns.
+        next ones count only where `HigherOrderErrors` are among the unknowns.
     time_skew : float
         By how much the accelerometers are late, s: a tenth of a sample or so.
     accelerometer_quadratic : float
@@ -133,6 +133,9 @@ class PriorDeviations:
     gyro_g_sensitivity : float
         (rad/s)/(m/s^2), each entry: a tenth of a degree an hour per g, much for an optical gyro and
         little for one that holds a mass.
+    scale_asymmetry : float
+        Scale-factor asymmetry of each gyro and accelerometer, without unit: ten ppm, as good
+        optical gyros and servo accelerometers have it.
 
     Examples
     --------
@@ -149,6 +152,7 @@ class PriorDeviations:
     time_skew: float = 1e-3
     accelerometer_quadratic: float = 10 * micro / g
     gyro_g_sensitivity: float = 0.1 * degree / hour / g
+    scale_asymmetry: float = 10 * micro
 
     def __post_init__(self) -> None:
         _check_sizes(self)
