@@ -15,7 +15,7 @@ from driftlab.book.chapters import CHAPTERS
 from driftlab.book.panels import EXPLORERS
 from support import ROOT, helper_modules
 
-SUBJECTS = ("motion", "drift", "attitude", "recordings", "calibration", "gyrocompass", "diagnosis")
+SUBJECTS = ("motion", "drift", "attitude", "recordings", "calibration", "gyrocompass")
 
 
 def printed_by(*arguments, code=0):

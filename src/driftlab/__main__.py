@@ -101,6 +101,9 @@ def overview(word: str = "") -> Iterator[str]:
         home = module if module.exists() else PACKAGE / name / "__init__.py"
         yield from _module(home, name, word)
     for name in SUBJECTS:
+        if (module := PACKAGE / f"{name}.py").exists():
+            yield from _module(module, name, word)
+            continue
         modules = [
             line
             for path in sorted((PACKAGE / name).glob("[!_]*.py"))

@@ -8,7 +8,7 @@ import pytest
 from scipy.constants import degree, hour
 from scipy.stats import chi2
 
-from driftlab.calibration._told import Evidence, Expected, _random_walk, _unit, evidence, thinned
+from driftlab.calibration._told import Evidence, _random_walk, _unit, evidence, thinned
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
@@ -56,17 +56,21 @@ def noise(**given):
     return sizes(ImuNoise, **given)
 
 
-def expected_of(sway=0.0, noise=None, **prior):
-    return Expected(sizes(PriorDeviations, **prior), noise or sizes(ImuNoise), sway)
+def expected_of(start=UNTURNED, sway=0.0, noise=None, **prior):
+    return SimpleNamespace(
+        start=start,
+        latitude=LATITUDE,
+        prior=sizes(PriorDeviations, **prior),
+        noise=noise or sizes(ImuNoise),
+        reference=np.array([[0.0, -sway, 0.0]]),
+    )
 
 
 LEAST_ANGLE, LEAST_RATE = 3e-4, 0.1 * degree / hour
 
 
 def test_a_right_record_contradicts_nothing():
-    assert still(np.zeros(3), np.zeros(3)).misfit(
-        UNTURNED, LATITUDE, expected_of()
-    ) == pytest.approx(0, abs=1e-9)
+    assert still(np.zeros(3), np.zeros(3)).misfit(expected_of()) == pytest.approx(0, abs=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -85,7 +89,7 @@ def test_a_right_record_contradicts_nothing():
 def test_gravity_counts_by_what_may_bend_it(expected, variance):
     off = np.array([0.03, -0.02, 0.01]) * np.arange(1, COUNT + 1)[:, np.newaxis]
     squares = np.sum(off**2, axis=-1) / (variance + LEAST_ANGLE**2)
-    found = still(off, np.zeros(3)).misfit(UNTURNED, LATITUDE, expected)
+    found = still(off, np.zeros(3)).misfit(expected)
     assert found == pytest.approx(np.sqrt(squares.mean()), rel=1e-9)
 
 
@@ -107,13 +111,13 @@ def test_the_earths_rate_counts_at_three_quarters_of_the_rests(expected, varianc
     rest = np.arange(COUNT) < rests
     counted = np.sort(sizes[rest])[: int(np.ceil(0.75 * rests))]
     mean = np.mean((2e-3 * counted) ** 2)
-    found = still(np.zeros(3), wrong, rest).misfit(UNTURNED, LATITUDE, expected)
+    found = still(np.zeros(3), wrong, rest).misfit(expected)
     assert found == pytest.approx(np.sqrt(mean / (variance + LEAST_RATE**2)), rel=1e-9)
 
 
 def test_without_rests_the_rate_says_nothing():
     seen = still(np.zeros(3), np.ones(3), rest=False)
-    assert seen.misfit(UNTURNED, LATITUDE, expected_of()) < 1e-9
+    assert seen.misfit(expected_of()) < 1e-9
 
 
 def test_a_start_turns_what_the_body_feels():
@@ -122,10 +126,8 @@ def test_a_start_turns_what_the_body_feels():
     seen = plain._replace(
         force=rotate(conjugate(start), plain.force), rate=rotate(conjugate(start), plain.rate)
     )
-    prior = expected_of(attitude=1e-3)
-    assert seen.misfit(start, LATITUDE, prior) == pytest.approx(
-        float(plain.misfit(UNTURNED, LATITUDE, prior)), rel=1e-9
-    )
+    turned, untold = (expected_of(each, attitude=1e-3) for each in (start, UNTURNED))
+    assert seen.misfit(turned) == pytest.approx(float(plain.misfit(untold)), rel=1e-9)
 
 
 def test_means_are_those_of_the_axes_of_the_start():

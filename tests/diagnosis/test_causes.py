@@ -8,10 +8,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from driftlab import diagnosis
 from driftlab.calibration import FULL, Calibration, FilterFailure
 from driftlab.calibration._told import FITS, Told
 from driftlab.calibration.filter import LARGE_BIAS, TAKE_THE_MEAN
-from driftlab.diagnosis import Diagnosis, causes, diagnose
+from driftlab.diagnosis import Diagnosis, diagnose
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
 
@@ -48,9 +49,9 @@ def said(monkeypatch):
             monkeypatch.setattr(Told, "impossible", lambda _: None)
         monkeypatch.setattr(Calibration, "_contradictions", lambda *_: (0, list(said)))
         monkeypatch.setattr(Calibration, "_too_large", lambda _: list(large))
-        monkeypatch.setattr(causes, "told_noise", lambda told: (list(noise), told.noise))
-        monkeypatch.setattr(causes, "_likely_slips", likely_slips)
-        monkeypatch.setattr(causes, "_Judge", lambda _: SimpleNamespace(steps=steps))
+        monkeypatch.setattr(diagnosis, "told_noise", lambda told: (list(noise), told.noise))
+        monkeypatch.setattr(diagnosis, "_likely_slips", likely_slips)
+        monkeypatch.setattr(diagnosis, "_Judge", lambda _: SimpleNamespace(steps=steps))
         return str(diagnose(found)), asked
 
     return call
@@ -124,7 +125,3 @@ def test_a_diagnosis_of_nothing_is_refused():
 def test_what_is_certain_comes_first():
     text = str(Diagnosis(("X",), ("c", "d"), ("a", "b"), ""))
     assert text == "X: c; and d; and a; or b?"
-
-
-def test_the_table_is_expected_to_be_as_fast_as_its_largest_velocity():
-    assert TOLD.expected.sway == 0.2

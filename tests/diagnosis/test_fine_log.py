@@ -10,6 +10,7 @@ import re
 import numpy as np
 import pytest
 
+from driftlab import diagnosis
 from driftlab.calibration import (
     ERROR_MODELS,
     FilterFailure,
@@ -20,8 +21,7 @@ from driftlab.calibration import (
 )
 from driftlab.calibration._told import evidence
 from driftlab.checks import UnusualWarning
-from driftlab.diagnosis import diagnose, slips
-from driftlab.diagnosis.slips import _Judge
+from driftlab.diagnosis import _Judge, diagnose
 from driftlab.earth import EARTH_RATE
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS
 from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorDeviations
@@ -126,7 +126,7 @@ def test_the_judge_looks_last_with_the_noise_that_was_told(monkeypatch):
         raise ValueError("as if nothing fitted")
 
     told = calibrate(**arguments()).told
-    monkeypatch.setattr(slips, "calibrate", contradicted)
+    monkeypatch.setattr(diagnosis, "calibrate", contradicted)
     assert _Judge(told).steps == (NOISE.reference_velocity, 0.02)
 
 

@@ -5,11 +5,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from driftlab import diagnosis
 from driftlab.calibration import FULL
 from driftlab.calibration._told import Evidence, Told
 from driftlab.calibration.calibration_history import BEYOND
-from driftlab.diagnosis import slips
-from driftlab.diagnosis.slips import (
+from driftlab.diagnosis import (
     _ORDERS,
     _headed,
     _interval_slip,
@@ -111,7 +111,7 @@ def test_the_judge_adds_up_to_small_turns_and_measures_every_ten_seconds(monkeyp
         handed.append((rows.interval, len(reference)))
         raise ValueError
 
-    monkeypatch.setattr(slips, "calibrate", calibrate)
+    monkeypatch.setattr(diagnosis, "calibrate", calibrate)
     rows = np.full((8000, 3), [0.0, 0.0, 1e-3])
     judged = _Judge(told(Increments(0.01, rows, rows), ends=np.arange(200, 8001, 200)))
     assert judged.steps == (ImuNoise().reference_velocity, 0.1)

@@ -47,15 +47,6 @@ _EAST_NORTH_UP = [2, 0, 1]
 """Places of East, North, Up among North, Up, East."""
 
 
-class Expected(NamedTuple):
-    """How far a right record may be off: errors of the unit, noise, and what the table moves."""
-
-    prior: PriorDeviations
-    noise: ImuNoise
-    sway: float
-    """m/s"""
-
-
 class Evidence(NamedTuple):
     """Means over k windows of a record, or of several along leading axes."""
 
@@ -72,10 +63,11 @@ class Evidence(NamedTuple):
     way: FloatArray
     """Angle (..., k) that the body has turned by so far, rad"""
 
-    def misfit(self, start: FloatArray, latitude: float, expected: Expected) -> FloatArray:
+    def misfit(self, told: Told) -> FloatArray:
         """Contradictions (...) of gravity and of the Earth's rate, the larger one, in units of what
         is expected of right records."""
-        prior, noise, sway = expected
+        start, latitude, prior, noise = told.start, told.latitude, told.prior, told.noise
+        sway = float(np.abs(told.reference).max())
         size = float(gravity(latitude))
         cone = cone_velocity(np.asarray(latitude), self.elapsed)[:, _EAST_NORTH_UP]
         up = np.diff(cone, axis=0) / self.window
@@ -134,11 +126,6 @@ class Told(NamedTuple):
         rows = self.increments.angle, self.increments.velocity, self.reference
         return np.broadcast_shapes(*(row.shape[:-2] for row in rows), self.start.shape[:-1])
 
-    @property
-    def expected(self) -> Expected:
-        """How far a right record may be off."""
-        return Expected(self.prior, self.noise, float(np.abs(self.reference).max()))
-
     def run(self, number: int) -> Told:
         """What one run was told."""
 
@@ -157,7 +144,7 @@ class Told(NamedTuple):
         """How badly evidence fits what one run was told; infinite where there is none."""
         if shown is None:
             return np.array(np.inf)
-        return shown.misfit(self.start, self.latitude, self.expected)
+        return shown.misfit(self)
 
     def impossible(self) -> tuple[int, str] | None:
         """The first run (its number) that gravity or the Earth's rate contradict, and a sentence;
