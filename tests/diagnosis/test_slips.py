@@ -7,7 +7,7 @@ import pytest
 
 from driftlab import diagnosis
 from driftlab.calibration import FULL
-from driftlab.calibration._told import Evidence, Told
+from driftlab.calibration._told import Told, evidence
 from driftlab.calibration.calibration_history import BEYOND
 from driftlab.diagnosis import (
     _ORDERS,
@@ -19,9 +19,10 @@ from driftlab.diagnosis import (
     _rescaled,
     _turned,
 )
-from driftlab.earth import earth_rate, gravity
+from driftlab.earth import gravity
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
+from driftlab.motion.turntable import static_trajectory
 from driftlab.quaternion import (
     conjugate,
     from_rotation_vector,
@@ -34,30 +35,6 @@ from driftlab.quaternion import (
 LATITUDE = 0.7
 UNTURNED = np.array([0.0, 0.0, 0.0, 1.0])
 GRAVITY = float(gravity(LATITUDE))
-WINDOW, COUNT = 2.0, 5
-ELAPSED = WINDOW * np.arange(COUNT + 1)
-MIDDLE = ELAPSED[:-1] + WINDOW / 2
-WAY = np.zeros(COUNT)
-
-
-def up():
-    """Mean direction Up in each window, East, North, Up of the time zero, by quadrature."""
-    nodes, weights = np.polynomial.legendre.leggauss(5)
-    times = MIDDLE[:, np.newaxis] + WINDOW / 2 * nodes
-    turned = from_rotation_vector(times[..., np.newaxis] * earth_rate(LATITUDE))
-    return 0.5 * np.einsum("j,ijk->ik", weights, rotate(turned, np.array([0.0, 0.0, 1.0])))
-
-
-def still(force, rate, rest=True):
-    """A body that stands as its start says, but for a part of the force and of the rate."""
-    return Evidence(
-        WINDOW,
-        ELAPSED,
-        GRAVITY * (up() + force),
-        earth_rate(LATITUDE) + np.broadcast_to(rate, (COUNT, 3)),
-        np.broadcast_to(rest, COUNT),
-        WAY,
-    )
 
 
 def told(increments=None, latitude=LATITUDE, start=UNTURNED, prior=None, ends=None):
@@ -160,10 +137,7 @@ def test_a_start_is_levelled_and_headed_by_what_is_felt(tilt, degrees):
     wrong = multiply(
         from_rotation_vector([0.2, -0.1, 0.0]), from_rotation_vector([0, 0, np.radians(degrees)])
     )
-    seen = still(np.zeros(3), np.zeros(3))
-    seen = seen._replace(
-        force=rotate(conjugate(true), seen.force), rate=rotate(conjugate(true), seen.rate)
-    )
+    seen = evidence(static_trajectory(true, LATITUDE, 1.0, 2000).increments)
     level = _levelled(multiply(wrong, true), seen)
     up_again = rotate(level, seen.force[0])
     np.testing.assert_allclose(up_again / np.linalg.norm(up_again), [0, 0, 1], atol=1e-12)

@@ -371,11 +371,11 @@ def innovation_test(calibration: Calibration) -> InnovationTest:
     squares = np.sum(rows**2, axis=(-2, -1))
     together = np.sum(rows[..., 1:, :] * rows[..., :-1, :], axis=(-2, -1))
     return InnovationTest(
-        squares / (3 * count),
-        lower,
-        upper,
-        np.sum(rows.sum(axis=-2) ** 2, axis=-1) / (3 * count),
-        float(chdtri(3, 1 - CONFIDENCE)) / 3,
-        np.divide(together, squares, out=np.zeros_like(squares), where=squares > 0),
-        float(ndtri(tails[1])) / np.sqrt(3 * count),
+        squares=squares / (3 * count),
+        lower=lower,
+        upper=upper,
+        mean=np.sum(rows.sum(axis=-2) ** 2, axis=-1) / (3 * count),
+        mean_upper=float(chdtri(3, 1 - CONFIDENCE)) / 3,
+        correlation=np.divide(together, squares, out=np.zeros_like(squares), where=squares > 0),
+        correlation_bound=float(ndtri(tails[1])) / np.sqrt(3 * count),
     )

@@ -254,7 +254,10 @@ def transition_of_increments(
     times = np.full(count, 2 * increments.interval)
     if rate_change is not None:
         rate_change = rate_change[..., 0::2, :] + rate_change[..., 1::2, :]
-    return transition(model, free, middle, times, angle, velocity, None, rate_change)
+    return transition(
+        model, free, middle, times, angle, velocity,
+        quadrature_weights=None, rate_change=rate_change,
+    )  # fmt: skip
 
 
 def _effects(basis: FloatArray, times: FloatArray, values: FloatArray) -> FloatArray:
@@ -491,8 +494,8 @@ def linearize_along(
         times,
         share * spin,
         share * force,
-        _QUADRATURE_WEIGHTS,
-        changes,
+        quadrature_weights=_QUADRATURE_WEIGHTS,
+        rate_change=changes,
     )
     matrices = np.repeat(matrices, alike, axis=0)
     if model.higher_order:

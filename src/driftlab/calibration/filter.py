@@ -63,9 +63,10 @@ class FilterFailure(ValueError):
     Examples
     --------
     >>> try:
-    ...     found = calibrate(increments, **told)  # doctest: +SKIP
-    ... except FilterFailure as failure:
-    ...     found = failure
+    ...     raise FilterFailure("increments: expected a record that the filter can follow.")
+    ... except ValueError as failure:
+    ...     print(failure)
+    increments: expected a record that the filter can follow.
     """
 
     def __init__(self, sentence: str, told: Told | None = None) -> None:

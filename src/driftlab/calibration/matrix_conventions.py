@@ -261,7 +261,7 @@ class ImuTkMatrices:
         gyro, acc = checked_inverse(gyro, "gyro_error"), checked_inverse(acc, "accelerometer_error")
         gyro_K, acc_K = gyro * np.eye(3), acc * np.eye(3)
         gyro_T, acc_T = gyro @ np.linalg.inv(gyro_K), acc @ np.linalg.inv(acc_K)
-        return cls(acc_T, acc_K, acc_b, gyro_T, gyro_K, gyro_b, readings)
+        return cls(acc_T, acc_K, acc_b, gyro_T, gyro_K, gyro_b, readings=readings)
 
 
 @dataclass(frozen=True, eq=False)

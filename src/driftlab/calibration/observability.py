@@ -391,8 +391,9 @@ def error_rates(
     force = to_local.T @ np.array([0.0, 0.0, float(gravity(place))])
     # One node that counts one second, and nothing that arises in it acts on: the first order.
     sensors = transition(
-        model, np.eye(6), to_local[None], np.ones(1), spin[None], force[None], np.zeros((1, 1))
-    )
+        model, np.eye(6), to_local[None], np.ones(1), spin[None], force[None],
+        quadrature_weights=np.zeros((1, 1)),
+    )  # fmt: skip
     rates = sensors - np.eye(model.size)
     rates[:6, :6] += free_rates(place)
     if body_axes:
