@@ -121,7 +121,7 @@ def diagnose(found: Calibration | FilterFailure) -> Diagnosis:
     Raises
     ------
     ValueError
-        If `found` does not have the arguments of the filter, as in a simulated trial.
+        If `found` does not have the arguments of the filter, as after ``check=False``.
 
     See Also
     --------
@@ -158,7 +158,7 @@ def diagnose(found: Calibration | FilterFailure) -> Diagnosis:
     told = getattr(found, "told", None)
     if not isinstance(told, Told):
         raise ValueError(
-            "found: expected what calibrate returned or the error it raised, with its arguments, "
+            "found: expected what calibrate returned or the error it raised, without check=False, "
             f"got {shown(found)}."
         )
     if (seen := told.impossible()) is not None:

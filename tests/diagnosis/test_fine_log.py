@@ -170,9 +170,10 @@ def test_filter_that_cannot_go_on_says_so_in_one_sentence_and_keeps_its_argument
     np.testing.assert_array_equal(kept.told.increments.angle, fast.angle)
 
 
-def test_a_calibration_keeps_its_arguments_and_no_copies():
+def test_a_calibration_keeps_its_arguments_unless_it_does_not_check_them():
     found = calibrate(**arguments())
-    assert found.told.increments.angle is PLAIN.angle
+    np.testing.assert_array_equal(found.told.increments.angle, PLAIN.angle)
+    assert calibrate(**arguments(check=False)).told is None
     assert found == found
     np.testing.assert_array_equal(pickle.loads(pickle.dumps(found)).told.start, found.told.start)
     assert "told" not in to_json(found)

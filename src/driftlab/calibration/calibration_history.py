@@ -81,7 +81,7 @@ class Calibration(NamedTuple):
     innovations : ndarray, shape (..., updates, 3)
         Innovations with covariance I, which `nis` are the sums of squares of.
     told : optional
-        The arguments of `calibrate`, for `driftlab.diagnosis.diagnose`.
+        The arguments of `calibrate`, if it checked them, for `driftlab.diagnosis.diagnose`.
 
     Examples
     --------

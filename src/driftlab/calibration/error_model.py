@@ -36,7 +36,7 @@ from driftlab.higher_order_errors import (
     checked_higher_order_errors,
     checked_terms,
 )
-from driftlab.imu import ImuErrors, PriorDeviations
+from driftlab.imu import ImuErrors, PriorDeviations, checked_imu_errors
 from driftlab.increments import Increments, without_errors
 
 AXES = "xyz"
@@ -255,7 +255,7 @@ class ErrorModel:
         >>> state.shape, bool(np.allclose(again.gyro_error, TYPICAL_ERRORS.gyro_error))
         ((30,), True)
         """
-        checked_instance(imu_errors, ImuErrors, "imu_errors")
+        imu_errors = checked_imu_errors(imu_errors)
         of_gyros, of_accelerometers = (
             # The matrices of a basis have no entries in common.
             np.tensordot(matrix, basis, ([-2, -1], [1, 2])) / (basis**2).sum(axis=(1, 2))

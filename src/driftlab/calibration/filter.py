@@ -127,14 +127,13 @@ def calibrate(
         What an earlier pass over the same record found, with the same model. The error equations
         are then linearised about it, and not about the errors estimated so far.
     check : bool
-        Whether to compare the record with gravity and the Earth's rate before, and to test the
-        innovations after.
+        Whether to compare the record with gravity and the Earth's rate before, to test the
+        innovations after, and to keep a copy of the arguments for `driftlab.diagnosis.diagnose`.
 
     Returns
     -------
     Calibration
-        Estimates, their covariance and the innovations. It keeps the arguments, not copies of
-        them, for `driftlab.diagnosis.diagnose`.
+        Estimates, their covariance and the innovations.
 
     Raises
     ------
@@ -271,7 +270,7 @@ def calibrate(
                 + "; ".join(noise_seen)
             ]
         _warn(said + (found._too_large() if told.first else []))
-    return found
+    return found._replace(told=told.copied()) if check else found
 
 
 def _warn(said: Sequence[str]) -> InconsistentWarning | None:
@@ -353,7 +352,6 @@ def _filtered(told: Told, keep: int, about: Calibration | None) -> Calibration:
         velocity=velocities,
         nis=nis,
         innovations=whitened,
-        told=told,
     )
 
 

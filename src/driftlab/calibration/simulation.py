@@ -340,7 +340,6 @@ class TableTrial:
         calibration = one_pass()
         for _ in range(1, self.passes):
             calibration = one_pass(about=calibration)
-        calibration = calibration._replace(told=None)  # a record of each run would fill the memory
         places = np.round(calibration.times / self.sample_interval).astype(int)
         known = NO_HIGHER_ORDER_ERRORS if higher_order is None else higher_order
         errors = estimation_errors(calibration, imu_errors, true.attitude[places], known)
