@@ -28,36 +28,24 @@ from driftlab.increments import Increments
 from driftlab.recordings.guards import doubts, force_factors, gyro_factors
 from driftlab.recordings.recording import Recording
 
-_LOOSE = 5 * degree
-"""How far the start may be off where a slip is looked for in it, rad."""
-_TURN = 0.02
-"""Increments are added up to turns of about this, rad."""
-_COARSE = 10.0
-"""Interval of the updates, s,"""
-_MOST = 250
-"""and about their number at most."""
+_LOOSE = 5 * degree  # how far the start may be off where a slip is looked for in it, rad
+_TURN = 0.02  # increments are added up to turns of about this, rad
+_COARSE = 10.0  # interval of the updates, s,
+_MOST = 250  # and about their number at most
 _LADDER = (3e-3, 0.1), (3e-4, 0.1), (0.0, 0.02)
 """Least noise of the reference velocity, m/s, and longest time, s, to which increments are added
 up: a turn that begins in the midst of 0.1 s makes errors of some 1e-5 m/s."""
-_SMALL = 2e-3
-"""Latitudes this far apart make innovations that differ by a multiple of it, rad."""
-_NEAR = 1.5
-"""Slips that leave not so many times the misfit of the best may be it as well."""
+_SMALL = 2e-3  # latitudes this far apart make innovations that differ by a multiple of it, rad
+_NEAR = 1.5  # slips that leave not so many times the misfit of the best may be it as well
 _RIGHT = 1.0
 """Misfit of a right record, or less: of slips that leave no more, the innovations have to tell."""
-_TRIED = 8
-"""Slips that go through the filter,"""
-_TRIED_WITH_MORE = 3
-"""and through a filter with more states."""
-_MORE = "lever arms", "time skew"
-"""States of errors that turns show, and that a model may lack."""
+_TRIED = 8  # slips that go through the filter,
+_TRIED_WITH_MORE = 3  # and through a filter with more states
+_MORE = "lever arms", "time skew"  # states of errors that turns show, and that a model may lack
 _LACKING = "errors that the model does not have, such as lever arms or a time skew"
-_SIZE = 0.1
-"""Specific force of this much more or less than gravity may still have the right unit."""
-_NO_FORCE = 1e-12
-"""As a part of gravity: no interval explains less."""
-_GRAVITY_A_METRE = 3.1e-7
-"""Share of gravity that a metre of height takes away."""
+_SIZE = 0.1  # specific force of this much more or less than gravity may still have the right unit
+_NO_FORCE = 1e-12  # as a part of gravity: no interval explains less
+_GRAVITY_A_METRE = 3.1e-7  # share of gravity that a metre of height takes away
 _NEAREST_TO_POLE = float(np.radians(89.9))
 _RULES = ("force", "rate", "half turn", "turning", "axes")
 _UNIT, _LIKELY, _POSSIBLE, _FITTED = range(4)

@@ -27,15 +27,12 @@ from .error_model import ErrorModel
 
 FITS = 6.0
 """Misfit that may still be a right record's."""
-_STEP = 0.1
-"""Increments are added up to steps of about this, rad."""
+_STEP = 0.1  # increments are added up to steps of about this, rad
 _WINDOWS = 100
 _REST = 2e-3
 """A window in which the body turns faster is no rest, rad/s; nor is one whose quarters differ"""
-_NOISE = 3.0
-"""by more than so many times what they differ by in the quietest tenth of such windows"""
-_STILL = 0.02 * EARTH_RATE
-"""and by more than this, rad/s."""
+_NOISE = 3.0  # by more than so many times what they differ by in the quietest tenth of such windows
+_STILL = 0.02 * EARTH_RATE  # and by more than this, rad/s
 _FEWEST = 0.1
 """If fewer of the windows look like rests, none is taken for one: they may be ends of turns."""
 _TRUSTED = 0.75
@@ -43,8 +40,7 @@ _TRUSTED = 0.75
 _LEAST_ANGLE = 3e-4
 _LEAST_RATE = 0.1 * degree / hour
 """Of gravity's direction, rad, and of rates at rest, rad/s, nobody should ask for more here."""
-_EAST_NORTH_UP = [2, 0, 1]
-"""Places of East, North, Up among North, Up, East."""
+_EAST_NORTH_UP = [2, 0, 1]  # places of East, North, Up among North, Up, East
 
 
 class Evidence(NamedTuple):
@@ -245,8 +241,7 @@ def thinned(
 _BLOCKS = 4
 """A rest window is compared in so many parts: long ones, so that counts of a coarse unit and what
 vibrates do not pass for noise."""
-_ENOUGH = 30
-"""Degrees of freedom: of so many, the root of a mean square scatters by an eighth."""
+_ENOUGH = 30  # degrees of freedom: of so many, the root of a mean square scatters by an eighth
 LARGER = 2.0
 """Noise so many times what was told is named: of right records, not one in 10^12."""
 _ANGLES = {

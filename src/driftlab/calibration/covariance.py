@@ -26,7 +26,13 @@ from driftlab.core.quaternion import from_rotation_vector, to_matrix
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import DIRECTIONS, Scheme, checked_scheme
 
-from .error_dynamics import LinearizedErrors, checked_linearized, linearize_along, process_noise
+from .error_dynamics import (
+    LinearizedErrors,
+    checked_linearized,
+    checked_noise,
+    linearize_along,
+    process_noise,
+)
 from .error_model import ErrorModel
 
 
@@ -144,13 +150,8 @@ def _covariances(
 ) -> Iterator[FloatArray]:
     """Covariance (size, size) before the first step and after each one."""
     checked_linearized(linearized)
-    checked_instance(noise, ImuNoise, "noise")
+    checked_noise(noise)
     seconds = positive_number(update, "update")
-    if not noise.reference_velocity > 0:
-        raise ValueError(
-            "noise: expected a deviation of the reference velocity above 0, "
-            f"got {shown(noise.reference_velocity)} m/s."
-        )
     checked_instance(prior, PriorDeviations, "prior")
     covariance = linearized.model.covariance(prior, linearized.start)
     yield covariance

@@ -32,6 +32,17 @@ from .error_model import ERROR_MODELS, FULL, ErrorModel
 _UNIT = np.eye(6)  # made once, for the many steps of a filter
 
 
+def checked_noise(noise: ImuNoise, name: str = "noise") -> ImuNoise:
+    """Return the noise that a filter assumes, refusing a reference velocity without any."""
+    checked_instance(noise, ImuNoise, name)
+    if not noise.reference_velocity > 0:
+        raise ValueError(
+            f"{name}: expected a deviation of the reference velocity above 0, "
+            f"got {shown(noise.reference_velocity)} m/s."
+        )
+    return noise
+
+
 def free_rates(latitude: float) -> FloatArray:
     """Rates of attitude and velocity errors without sensor errors and specific force.
 

@@ -38,7 +38,13 @@ from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
 from ._told import LARGER, Told, told_noise
 from .calibration_history import Calibration, InconsistentWarning, checked_about
-from .error_dynamics import checked_model, free_transition, process_noise, transition_of_increments
+from .error_dynamics import (
+    checked_model,
+    checked_noise,
+    free_transition,
+    process_noise,
+    transition_of_increments,
+)
 from .error_model import ErrorModel
 
 LARGE_BIAS = 1e-3
@@ -210,7 +216,7 @@ def calibrate(
     """
     model = checked_model(model)
     checked_instance(prior, PriorDeviations, "prior")
-    checked_instance(noise, ImuNoise, "noise")
+    checked_noise(noise)
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     if isinstance(start, Scheme):
         raise ValueError(
@@ -224,11 +230,6 @@ def calibrate(
     ends, reference = _updates(
         measured.angle.shape[-2], interval, reference_velocity, reference_times, update_interval
     )
-    if noise.reference_velocity <= 0:
-        raise ValueError(
-            "noise: expected a deviation of the reference velocity above 0, "
-            f"got {shown(noise.reference_velocity)} m/s."
-        )
     speed_of_body(reference, "reference_velocity")
     keep = whole_number(keep, "keep")
     told = Told(

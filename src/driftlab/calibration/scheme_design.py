@@ -34,7 +34,7 @@ from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import Scheme, checked_scheme
 
 from .covariance import IntArray, Row, _row_covariances, _RowCovariances, _TableMoves
-from .error_dynamics import checked_model
+from .error_dynamics import checked_model, checked_noise
 from .error_model import ERROR_MODELS, ErrorModel
 
 CRITERIA = ("worst", "mean", "volume")
@@ -98,12 +98,8 @@ class DesignTask:
     def __post_init__(self) -> None:
         one_of(self.criterion, CRITERIA, "criterion")
         keep(self, model=checked_model(self.model))
-        checked_instance(self.noise, ImuNoise, "noise")
+        checked_noise(self.noise)
         checked_instance(self.prior, PriorDeviations, "prior")
-        if not self.noise.reference_velocity > 0:
-            raise ValueError(
-                "noise: expected a deviation of the reference velocity above 0, got 0.0 m/s."
-            )
         keep(
             self,
             latitude=float(checked_latitude(finite_number(self.latitude, "latitude"))),

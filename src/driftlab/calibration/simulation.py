@@ -48,7 +48,7 @@ from driftlab.motion.turntable import table_trajectory
 
 from .body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from .calibration_history import Calibration
-from .error_dynamics import linearize_along
+from .error_dynamics import checked_noise, linearize_along
 from .error_model import (
     ERROR_MODELS,
     ErrorModel,
@@ -227,13 +227,8 @@ class TableTrial:
         keep(self, scheme=checked_scheme(self.scheme))
         checked_instance(self.prior, PriorDeviations, "prior")
         checked_instance(self.noise, ImuNoise, "noise")
-        if self.assumed_noise is not None:
-            checked_instance(self.assumed_noise, ImuNoise, "assumed_noise")
         assumed = "noise" if self.assumed_noise is None else "assumed_noise"
-        if not getattr(self, assumed).reference_velocity > 0:
-            raise ValueError(
-                f"{assumed}: expected a deviation of the reference velocity above 0, got 0.0 m/s."
-            )
+        checked_noise(getattr(self, assumed), assumed)
         keep(self, latitude=float(checked_latitude(finite_number(self.latitude, "latitude"))))
         one_of(self.frame, ERROR_MODELS, "frame")
         keep(
