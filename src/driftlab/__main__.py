@@ -46,7 +46,7 @@ GROUND_FLOOR = (
         "sampled_rates",
         "strapdown",
     ),
-    *("noise_terms", "allan", "noise_identification", "compilation"),
+    *("noise_terms", "allan", "noise_identification", "compilation", "diagnosis"),
 )
 SUBJECTS = (
     *(
@@ -57,7 +57,6 @@ SUBJECTS = (
         "recordings",
         "calibration",
         "gyrocompass",
-        "diagnosis",
         "symbolic",
         "book",
     ),
@@ -101,9 +100,6 @@ def overview(word: str = "") -> Iterator[str]:
         home = module if module.exists() else PACKAGE / name / "__init__.py"
         yield from _module(home, name, word)
     for name in SUBJECTS:
-        if (module := PACKAGE / f"{name}.py").exists():
-            yield from _module(module, name, word)
-            continue
         modules = [
             line
             for path in sorted((PACKAGE / name).glob("[!_]*.py"))
