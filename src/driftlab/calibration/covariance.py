@@ -290,21 +290,11 @@ class _TableMoves:
 
 
 class _Condensed(NamedTuple):
-    """Steps, condensed; only attitude and velocity change and gain noise.
+    """Steps, condensed; only attitude and velocity change and gain noise."""
 
-    Attributes
-    ----------
-    carried : ndarray, shape (..., 6, n)
-        Rows of Phi for attitude and velocity; the others are those of the unit matrix.
-    information : ndarray, shape (..., n, n)
-        J.
-    added : ndarray, shape (..., 6, 6)
-        M.
-    """
-
-    carried: FloatArray
-    information: FloatArray
-    added: FloatArray
+    carried: FloatArray  # (..., 6, n): rows of Phi for attitude and velocity
+    information: FloatArray  # (..., n, n): J
+    added: FloatArray  # (..., 6, 6): M
 
     def after(self, covariance: FloatArray) -> FloatArray:
         """Covariances (..., n, n) after the steps, from those before them."""
@@ -376,26 +366,12 @@ def _condensed_steps(
 
 @dataclass(frozen=True)
 class _RowCovariances:
-    """What a table shows in rows of turns that take equally long.
-
-    Attributes
-    ----------
-    moves : _TableMoves
-    duration : float
-        Of each row with its pauses, s.
-    rate : float
-        Of the turns, rad/s.
-    latitude : float
-        rad.
-    model : ErrorModel
-    noise : ImuNoise
-    prior : PriorDeviations
-    """
+    """What a table shows in rows of turns that take equally long."""
 
     moves: _TableMoves
-    duration: float
-    rate: float
-    latitude: float
+    duration: float  # of each row with its pauses, s
+    rate: float  # of the turns, rad/s
+    latitude: float  # rad
     model: ErrorModel
     noise: ImuNoise
     prior: PriorDeviations
