@@ -13,10 +13,10 @@ from typing import Any
 import driftlab
 from driftlab.book.chapters import CHAPTERS, chapters_with
 from driftlab.book.exercises import all_exercises
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import Exercise
-from driftlab.book.machinery.guess import UNITS
-from driftlab.book.machinery.puzzle import Number, Question
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.exercise import Exercise
+from driftlab.book.machinery.exercise.guess import UNITS
+from driftlab.book.machinery.exercise.puzzle import Number, Question
 from driftlab.book.puzzles import puzzle_of
 
 NOTEBOOKS = Path(__file__).resolve().parents[1] / "notebooks"

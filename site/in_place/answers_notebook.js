@@ -1,7 +1,7 @@
 // A reader's answers as a notebook: it runs in Jupyter, and whoever marks a class reads and counts
 // it like the chapters that students hand in (`python3 lab.py class`).
 
-const RECORD = "application/vnd.driftlab.exercise+json"; // as machinery/records.py has it
+const RECORD = "application/vnd.driftlab.exercise+json"; // as machinery/exercise/records.py has it
 
 const LONGEST = 50; // signs of a name; file systems take 255 bytes, and a sign may have four
 

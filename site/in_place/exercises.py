@@ -18,11 +18,11 @@ from typing import Any
 import numpy as np
 
 from driftlab.book.exercises import all_exercises, hints_of, judged
-from driftlab.book.machinery.card import Card
-from driftlab.book.machinery.exercise import Said, Verdict
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.progress import Progress
-from driftlab.book.machinery.reading import UnreadableError
+from driftlab.book.machinery.exercise.card import Card
+from driftlab.book.machinery.exercise.exercise import Said, Verdict
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.progress import Progress
+from driftlab.book.machinery.exercise.reading import UnreadableError
 
 LATE = "sympy"
 """The package that comes only when it is asked for."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from driftlab.book.machinery.puzzle import Answer, Puzzle
-from driftlab.book.machinery.revealed import revealed
+from driftlab.book.machinery.exercise.puzzle import Answer, Puzzle
+from driftlab.book.machinery.exercise.revealed import revealed
 from driftlab.book.puzzles import looked_back, puzzle_of
 
 

@@ -19,9 +19,9 @@ from widgets_standin import WIDGETS, taken
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 
 import driftlab.book  # noqa: E402
-from driftlab.book.machinery.control import Control  # noqa: E402
-from driftlab.book.machinery.panel import ERROR_CLASS, Explorer  # noqa: E402
-from driftlab.book.machinery.still import plain_values  # noqa: E402
+from driftlab.book.machinery.panel.control import Control  # noqa: E402
+from driftlab.book.machinery.panel.panel import ERROR_CLASS, Explorer  # noqa: E402
+from driftlab.book.machinery.panel.still import plain_values  # noqa: E402
 
 OPEN: list[Explorer] = []
 

@@ -8,7 +8,7 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell, new_notebook
 
 from driftlab.book.instructors.questions import outside_a_notebook
-from driftlab.book.machinery.exercise import NUMBER
+from driftlab.book.machinery.exercise.exercise import NUMBER
 from pdf.cells import call, typst
 
 SECTION = re.compile(r"## ")

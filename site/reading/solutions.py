@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from nbformat import NotebookNode
 
 from addresses import section_label
-from driftlab.book.machinery.exercise import NUMBER
+from driftlab.book.machinery.exercise.exercise import NUMBER
 
 HEADING = re.compile(rf"^## (({NUMBER.pattern}) .+)$", re.M)
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from driftlab.book.machinery.matplotlib_view import MatplotlibView
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
+from driftlab.book.machinery.panel.matplotlib_view import MatplotlibView
 from published import computed
 
 

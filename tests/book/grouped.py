@@ -5,7 +5,7 @@ from functools import cache
 
 import pytest
 
-from driftlab.book.machinery.panel import Explorer
+from driftlab.book.machinery.panel.panel import Explorer
 from driftlab.book.panels import EXPLORERS, SCENES
 
 every_panel = pytest.mark.parametrize(

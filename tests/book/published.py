@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from driftlab.book import figures
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 
 NAMES = tuple(figures.figure_definitions())
 

@@ -10,8 +10,8 @@ from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
-from driftlab.book.machinery import picture
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure import picture
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.book.panels import EXPLORERS, SCENES
 from published import NAMES, published
 

@@ -28,10 +28,10 @@ from driftlab.book.exercises import (
     hints_of,
     verdict,
 )
-from driftlab.book.machinery.answers import Choice, Value, computed
-from driftlab.book.machinery.exercise import NotRightError, in_order, key_of
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.hints import Help
+from driftlab.book.machinery.exercise.answers import Choice, Value, computed
+from driftlab.book.machinery.exercise.exercise import NotRightError, in_order, key_of
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.hints import Help
 from wrong_answers import WRONG
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"

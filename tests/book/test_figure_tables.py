@@ -11,12 +11,12 @@ from matplotlib.figure import Figure
 
 import driftlab
 from driftlab.book import figures
-from driftlab.book.machinery.csv_table import numbers, read_table
-from driftlab.book.machinery.data_table import KEPT
-from driftlab.book.machinery.drawing import GUIDE, nature, panels
-from driftlab.book.machinery.publish import PublishedFigure, call_of
-from driftlab.book.machinery.sheet import COLUMN, Sheet
-from driftlab.book.machinery.written import imports, written
+from driftlab.book.machinery.figure.csv_table import numbers, read_table
+from driftlab.book.machinery.figure.data_table import KEPT
+from driftlab.book.machinery.figure.drawing import GUIDE, nature, panels
+from driftlab.book.machinery.figure.publish import PublishedFigure, call_of
+from driftlab.book.machinery.figure.sheet import COLUMN, Sheet
+from driftlab.book.machinery.figure.written import imports, written
 from driftlab.checks import FloatArray
 from figure_variations import SHORT, VARIATIONS, plain
 from published import NAMES, of_figure, published

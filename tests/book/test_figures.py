@@ -11,10 +11,10 @@ import pytest
 
 from driftlab.book import figures
 from driftlab.book.__main__ import write_gallery
-from driftlab.book.machinery.csv_table import as_words, numbers, read_table
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import PublishedFigure, gallery
-from driftlab.book.machinery.table_differences import table_differences
+from driftlab.book.machinery.figure.csv_table import as_words, numbers, read_table
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.publish import PublishedFigure, gallery
+from driftlab.book.machinery.figure.table_differences import table_differences
 from driftlab.recordings.publishers import RecordingUnavailable
 from published import NAMES, published
 

@@ -11,9 +11,9 @@ from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
 from driftlab.book import figures
-from driftlab.book.machinery.panel import Explorer
-from driftlab.book.machinery.publish import PublishedFigure
-from driftlab.book.machinery.sheet import COLUMN, PAGE, Sheet
+from driftlab.book.machinery.figure.publish import PublishedFigure
+from driftlab.book.machinery.figure.sheet import COLUMN, PAGE, Sheet
+from driftlab.book.machinery.panel.panel import Explorer
 from grouped import every_panel, only_panel
 from published import NAMES, published
 

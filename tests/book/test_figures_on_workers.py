@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import driftlab.book.__main__ as command
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.figure.publish import FigureDefinition
 from driftlab.calibration.simulation import TableTrial
 from driftlab.monte_carlo import sweep
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme

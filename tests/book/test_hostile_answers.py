@@ -3,9 +3,9 @@
 import pytest
 
 from driftlab.book.exercises import all_exercises, judged
-from driftlab.book.machinery.card import Card
-from driftlab.book.machinery.exercise import Said
-from driftlab.book.machinery.progress import Progress
+from driftlab.book.machinery.exercise.card import Card
+from driftlab.book.machinery.exercise.exercise import Said
+from driftlab.book.machinery.exercise.progress import Progress
 from hostile import CODE, MARKUP, TEXTS, Elements, Hostile, all_that_runs
 
 ANSWERS = {

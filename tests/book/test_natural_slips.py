@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from driftlab.book.exercises import all_exercises
-from driftlab.book.machinery.answers import Choice, Value, computed
-from driftlab.book.machinery.exercise import key_of
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.reading import numbers
+from driftlab.book.machinery.exercise.answers import Choice, Value, computed
+from driftlab.book.machinery.exercise.exercise import key_of
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.reading import numbers
 
 EXERCISES = all_exercises()
 

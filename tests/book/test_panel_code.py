@@ -17,7 +17,7 @@ from driftlab.book import (
     GyrocompassExplorer,
     TypeTestExplorer,
 )
-from driftlab.book.machinery.panel import Explorer
+from driftlab.book.machinery.panel.panel import Explorer
 from driftlab.book.panels import EXPLORERS
 from driftlab.drift.characteristic_equation import asymptotic_roots
 from driftlab.drift.error_kinematics import error_quaternion

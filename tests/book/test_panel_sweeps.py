@@ -11,10 +11,10 @@ import ipywidgets as widgets
 import pytest
 
 from driftlab.book import DriftExplorer
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
-from driftlab.book.machinery.picture import Picture
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.picture import Picture
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import ERROR_CLASS, Explorer
+from driftlab.book.machinery.panel.results import Results
 from grouped import every_panel, opened
 from panel_numbers import assert_shown, results_of
 

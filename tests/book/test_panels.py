@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from PIL import Image
 
 from driftlab import book
-from driftlab.book.machinery.panel import OWN_VALUES, Explorer
+from driftlab.book.machinery.panel.panel import OWN_VALUES, Explorer
 from grouped import every_panel, opened
 from panel_numbers import results_of
 

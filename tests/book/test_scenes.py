@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from driftlab.book.machinery.panel import ERROR_CLASS
+from driftlab.book.machinery.panel.panel import ERROR_CLASS
 from driftlab.book.machinery.scene.stage import Stage
 from driftlab.book.machinery.scene.svg import animation, place, still
 from driftlab.book.machinery.scene.view import SceneExplorer, nearest

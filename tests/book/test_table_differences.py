@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from driftlab.book.__main__ import told
-from driftlab.book.machinery.csv_table import write_table
-from driftlab.book.machinery.data_table import KEPT, DataTable
-from driftlab.book.machinery.table_differences import folder_differences, table_differences
+from driftlab.book.machinery.figure.csv_table import write_table
+from driftlab.book.machinery.figure.data_table import KEPT, DataTable
+from driftlab.book.machinery.figure.table_differences import folder_differences, table_differences
 
 TABLE = {"curve": ["a", "a", "b"], "x": ["1", "2", "1.00000000001e-6"], "y": ["3", "", "inf"]}
 

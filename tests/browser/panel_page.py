@@ -12,8 +12,8 @@ import numpy as np
 from notebook_page import FRAME, PATIENCE, wait_until
 from PIL import Image
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.panel import PANEL_CLASS, Explorer
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import PANEL_CLASS, Explorer
 from panel_numbers import shown_numbers
 
 if TYPE_CHECKING:

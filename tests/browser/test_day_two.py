@@ -5,11 +5,11 @@ from nbformat.sign import NotebookNotary
 from notebook_page import NotebookPage, answer
 from pages import LEDGER, notebook_of
 
-from driftlab.book.machinery.still import STILL_CLASS
+from driftlab.book.machinery.panel.still import STILL_CLASS
 
 SHOW = """
 from ipywidgets import HTML, Image, VBox
-from driftlab.book.machinery.still import display_with_still, still
+from driftlab.book.machinery.panel.still import display_with_still, still
 triangle = b"<svg xmlns='http://www.w3.org/2000/svg'><path d='M9 9h72v72z'/></svg>"
 picture = Image(value=triangle, format="svg+xml", width=72)
 widget = VBox([HTML("alive"), picture])

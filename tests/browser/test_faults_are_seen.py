@@ -10,7 +10,7 @@ from notebook_page import NotebookPage, new_page, wait_until
 from pages import notebook_of
 from panel_page import PanelPage
 
-from driftlab.book.machinery.panel import Explorer
+from driftlab.book.machinery.panel.panel import Explorer
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser-faults")]
 

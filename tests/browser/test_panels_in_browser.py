@@ -9,7 +9,7 @@ from panel_page import PanelPage
 from places import PLACES
 from twin import Panel
 
-from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel.control import Control
 
 HEAVY = ["CapstoneExplorer", "CalibrationRunExplorer", "GyrocompassExplorer"]
 """The panels that take longest, to begin with them."""

@@ -14,7 +14,7 @@ from PIL import Image
 from places import Place
 
 from driftlab import book
-from driftlab.book.machinery.panel import Explorer
+from driftlab.book.machinery.panel.panel import Explorer
 from panel_numbers import Rows, assert_shown, results_of
 
 if TYPE_CHECKING:

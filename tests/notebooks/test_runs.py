@@ -34,9 +34,9 @@ from places import PLACES, Place
 from twin import Panel
 
 from driftlab.book.exercises import all_exercises
-from driftlab.book.machinery.answers import Choice
-from driftlab.book.machinery.exercise import NUMBER
-from driftlab.book.machinery.panel import ERROR_CLASS
+from driftlab.book.machinery.exercise.answers import Choice
+from driftlab.book.machinery.exercise.exercise import NUMBER
+from driftlab.book.machinery.panel.panel import ERROR_CLASS
 from driftlab.book.panels import EXPLORERS
 
 READERS = [START, *CHAPTERS, LEDGER]

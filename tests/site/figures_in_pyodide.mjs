@@ -10,7 +10,7 @@ await python.loadPackage(packages, { messageCallback() {} });
 process.stdout.write(python.runPython(`
 import json
 from driftlab.book.figures import figure_definitions
-from driftlab.book.machinery.csv_table import as_words
+from driftlab.book.machinery.figure.csv_table import as_words
 
 json.dumps({
     name: as_words(each.columns(each.compute()))

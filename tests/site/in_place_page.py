@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable
 
-from driftlab.book.machinery.panel import Explorer
-from driftlab.book.machinery.still import still
+from driftlab.book.machinery.panel.panel import Explorer
+from driftlab.book.machinery.panel.still import still
 
 
 def page_of(panels: Iterable[Explorer], theme: str = "auto") -> str:

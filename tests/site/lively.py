@@ -9,8 +9,8 @@ from contextlib import contextmanager
 from in_place_page import page_of
 from notebook_page import answer
 
-from driftlab.book.machinery.panel import Explorer
-from driftlab.book.machinery.still import plain_values
+from driftlab.book.machinery.panel.panel import Explorer
+from driftlab.book.machinery.panel.still import plain_values
 
 PATIENCE = 240_000
 """Milliseconds that Python may take to begin on a busy machine; it is waited for no longer."""

@@ -6,9 +6,9 @@ import io
 import nbformat
 from PIL import Image
 
-from driftlab.book.machinery.card import Card
-from driftlab.book.machinery.exercise import Verdict
-from driftlab.book.machinery.hints import Help
+from driftlab.book.machinery.exercise.card import Card
+from driftlab.book.machinery.exercise.exercise import Verdict
+from driftlab.book.machinery.exercise.hints import Help
 from reading.outputs import Outputs
 from reading.pictures import Pictures, size
 from reading.solutions import fold_of, link_back

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from driftlab.book.machinery.picture import SERIES
+from driftlab.book.machinery.figure.picture import SERIES
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("site-landing")]
 LEAST_CONTRAST = 4.0  # of a line to the ground; 3 is what is asked for of things

@@ -12,10 +12,10 @@ from answer_form import REACH
 import forms
 from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises
-from driftlab.book.machinery.answers import Choice, Value, computed
-from driftlab.book.machinery.exercise import key_of
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.reading import UnreadableError, numbers
+from driftlab.book.machinery.exercise.answers import Choice, Value, computed
+from driftlab.book.machinery.exercise.exercise import key_of
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.reading import UnreadableError, numbers
 from driftlab.book.puzzles import puzzle_of
 from in_place import exercises
 from wrong_answers import WRONG
@@ -25,7 +25,7 @@ FORMS = forms.exercise_forms()
 NOTHING = {"right": {}, "guesses": {}, "tried": {}}
 CODE = (
     "from driftlab.book.exercises import all_exercises\n"
-    "from driftlab.book.machinery.exercise import key_of\n"
+    "from driftlab.book.machinery.exercise.exercise import key_of\n"
     "answer = {}"
 )
 SCHEME = "+180Y -90Y -180Z +90Z +180X"

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from driftlab.book.figures import figure_definitions
-from driftlab.book.machinery.csv_table import read_table
+from driftlab.book.machinery.figure.csv_table import read_table
 from support import ROOT
 
 pytestmark = [pytest.mark.kernel, pytest.mark.xdist_group("site-pyodide")]

@@ -25,7 +25,7 @@ from driftlab.book import (
     RootsExplorer,
     TurningBlock,
 )
-from driftlab.book.machinery.still import plain_values
+from driftlab.book.machinery.panel.still import plain_values
 from driftlab.book.panels import EXPLORERS, SCENES
 from grouped import opened, with_scenes
 

@@ -16,7 +16,7 @@ from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises, hints_of
 from driftlab.book.instructors.examination import exam_paper
 from driftlab.book.instructors.questions import outside_a_notebook
-from driftlab.book.machinery.exercise import NUMBER
+from driftlab.book.machinery.exercise.exercise import NUMBER
 from executed import FOLDER, notebooks
 from pdf.cells import markdown_of
 from pdf.contents import OUTSIDE, part_of

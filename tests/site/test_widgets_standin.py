@@ -48,7 +48,7 @@ import widgets_standin
 widgets_standin.install()
 import panels
 from driftlab.book import DriftExplorer
-from driftlab.book.machinery.still import plain_values
+from driftlab.book.machinery.panel.still import plain_values
 values = plain_values(DriftExplorer().values)
 opened = panels.open("DriftExplorer", values, {"azimuth": "5", "self": "1"})
 assert opened["values"] == values

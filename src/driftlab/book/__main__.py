@@ -21,9 +21,9 @@ from driftlab.monte_carlo import cluster, processes, running_on
 from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, experiment_numbers
 from .errata import errata
 from .figures import figure_definitions, measured, not_at_hand, published_paths
-from .machinery.csv_table import as_words, write_table
-from .machinery.publish import FigureDefinition, PublishedFigure, gallery
-from .machinery.table_differences import Difference, folder_differences
+from .machinery.figure.csv_table import as_words, write_table
+from .machinery.figure.publish import FigureDefinition, PublishedFigure, gallery
+from .machinery.figure.table_differences import Difference, folder_differences
 
 PROJECT = Path(__file__).parents[3]
 AT_HOME = (PROJECT / "lab.py").is_file()

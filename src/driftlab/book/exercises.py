@@ -15,8 +15,8 @@ from importlib.resources import files
 from typing import Any
 
 from .chapters import CHAPTERS, chapters_with, part_of
-from .machinery.card import Card, HintCard, show
-from .machinery.exercise import (
+from .machinery.exercise.card import Card, HintCard, show
+from .machinery.exercise.exercise import (
     KINDS,
     NOTHING_SAID,
     NUMBER,
@@ -26,10 +26,10 @@ from .machinery.exercise import (
     Verdict,
     is_missing,
 )
-from .machinery.given_numbers import Given
-from .machinery.hints import NO_HELP, Help
-from .machinery.progress import Progress
-from .machinery.records import record_of
+from .machinery.exercise.given_numbers import Given
+from .machinery.exercise.hints import NO_HELP, Help
+from .machinery.exercise.progress import Progress
+from .machinery.exercise.records import record_of
 
 _OWN: dict[str, tuple[Exercise, Help]] = {}
 """Exercises that are not the book's, and the help with each."""
@@ -78,7 +78,7 @@ def add_exercise(number: str, exercise: Exercise, help_: Help = NO_HELP) -> None
     Examples
     --------
     >>> from driftlab.book import add_exercise, check
-    >>> from driftlab.book.machinery.answers import Value
+    >>> from driftlab.book.machinery.exercise.answers import Value
     >>> slip = {"That is in radians.": lambda: 3.141592653589793}
     >>> half = Value(kind="compute", right=lambda: 180.0, unit="degrees", mistakes=slip)
     >>> add_exercise("90.1", half)

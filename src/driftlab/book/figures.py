@@ -15,9 +15,9 @@ from typing import Any
 from driftlab.recordings.publishers import PUBLISHED, RecordingUnavailable, published_file
 
 from .chapters import chapters_with, part_of
-from .machinery.csv_table import read_table
-from .machinery.data_table import DataTable
-from .machinery.publish import FigureDefinition, PublishedFigure
+from .machinery.figure.csv_table import read_table
+from .machinery.figure.data_table import DataTable
+from .machinery.figure.publish import FigureDefinition, PublishedFigure
 
 _FOLDER = Path(__file__).parents[3] / "figures"
 

@@ -6,7 +6,7 @@ Show one as the last line of a notebook cell: ``DriftExplorer()``, ``TurningBloc
 from __future__ import annotations
 
 from .chapters import chapters_with, part_of
-from .machinery.panel import Explorer
+from .machinery.panel.panel import Explorer
 from .machinery.scene.view import SceneExplorer
 
 EXPLORERS: tuple[type[Explorer], ...] = tuple(

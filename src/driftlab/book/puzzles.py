@@ -9,9 +9,9 @@ from statistics import median
 from typing import NamedTuple
 
 from .chapters import chapters_with, part_of
-from .machinery.guess import GuessControl
-from .machinery.kept_guesses import kept_guess
-from .machinery.puzzle import Answer, Number, Puzzle, Question, rounded
+from .machinery.exercise.guess import GuessControl
+from .machinery.exercise.kept_guesses import kept_guess
+from .machinery.exercise.puzzle import Answer, Number, Puzzle, Question, rounded
 
 ENOUGH = 4
 """With fewer numbers in a half of the book nothing is said of that half."""

@@ -11,7 +11,7 @@ from driftlab.book.ch03_systematic_drift.experiments import (
     drift_history,
     drift_map,
 )
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.closed_motion import exact_drift_per_motion
 from driftlab.drift.systematic_drift import drift_coefficient

@@ -14,8 +14,8 @@ from driftlab.book.ch04_calibration_by_turns.experiments import (
     turn_estimates,
     weighing_designs,
 )
-from driftlab.book.machinery.drawing import nature, panels
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.drawing import nature, panels
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.turn_calibration import TurnExperiment
 from driftlab.triad import non_orthogonality

@@ -18,7 +18,7 @@ from driftlab.book.ch04_calibration_by_turns.experiments import (
     turn_estimates,
 )
 from driftlab.book.ch04_calibration_by_turns.figures.real_table import LOWEST
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import earth_offset

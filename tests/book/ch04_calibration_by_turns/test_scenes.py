@@ -5,7 +5,7 @@ import pytest
 from scipy.constants import arcsecond, degree
 
 from driftlab.book.ch04_calibration_by_turns.experiments import mountings
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD, SKEW
 from driftlab.drift import earth_offset, error_quaternion, exact_turn_estimate
 from driftlab.drift.weighing_designs import YATES_AXES

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from driftlab.book.ch05_cayley_and_riccati.experiments import WAYS, cayley_map, riccati_turns
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from published import published
 
 

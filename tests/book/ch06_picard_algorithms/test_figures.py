@@ -50,7 +50,7 @@ from driftlab.book.ch06_picard_algorithms.experiments import (
 )
 from driftlab.book.ch06_picard_algorithms.experiments.random_motion import random_increments
 from driftlab.book.ch06_picard_algorithms.figures.coning_drift import alike
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.motion.profiles import Coning, Sway
 from driftlab.quaternion import conjugate, multiply, rotation_angle, to_rotation_vector
 from driftlab.symbolic import operations, step_program

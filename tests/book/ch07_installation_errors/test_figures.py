@@ -13,7 +13,7 @@ from driftlab.book.ch07_installation_errors.experiments import (
     plane_split,
 )
 from driftlab.book.ch07_installation_errors.figures.split_triad import exaggeration
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.imu import TYPICAL_ERRORS
 from driftlab.vectors import cross_matrix
 from published import published

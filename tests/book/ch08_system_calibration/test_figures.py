@@ -35,7 +35,7 @@ from driftlab.book.ch08_system_calibration.experiments import (
 )
 from driftlab.book.ch08_system_calibration.experiments.choice_of_axes import UNITS
 from driftlab.book.ledger import ledger_entries
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.calibration import (
     CRITERIA,
     ERROR_MODELS,

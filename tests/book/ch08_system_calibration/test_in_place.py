@@ -20,7 +20,7 @@ from driftlab.book.ch08_system_calibration.experiments import (
     verdict,
 )
 from driftlab.book.ledger import ledger_entries
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.calibration import attitude_error, attitude_of_axes, imu_errors_in_frame
 from driftlab.imu import TYPICAL_ERRORS
 from driftlab.motion.scheme import SCHEMES

@@ -7,8 +7,8 @@ import pytest
 
 from driftlab.book import figures
 from driftlab.book.ch09_aligning_a_gyrocompass import experiments as alignments
-from driftlab.book.machinery.csv_table import read_table
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.csv_table import read_table
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.earth import gravity
 from published import published
 from saratov import GRAVITY, HOURLY, LATITUDE, LEVEL_RATE

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.earth import EARTH_RATE
 from published import published
 from saratov import LATITUDE, SCHULER

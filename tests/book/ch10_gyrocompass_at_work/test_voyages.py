@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 
 from driftlab.book.ch10_gyrocompass_at_work import experiments as at_work
 from driftlab.book.ch10_gyrocompass_at_work.experiments import voyages
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.book.scenarios import SPEED, ship_manoeuvre
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE
 from driftlab.frames import from_euler_angles, to_euler_angles

@@ -7,7 +7,7 @@ from scipy.constants import arcsecond
 
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.ch11_one_triad import experiments as capstone
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.calibration.simulation import TableTrial
 from driftlab.drift.turn_calibration import earth_offset
 from driftlab.frames import from_euler_angles

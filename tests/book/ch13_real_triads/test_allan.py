@@ -5,7 +5,7 @@ import pytest
 from scipy.constants import arcsecond
 
 from driftlab.book.ch13_real_triads.experiments import allan_lines as lines
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.figure.publish import PublishedFigure
 from published import published
 from support import recording_or_skip
 

@@ -21,8 +21,8 @@ from driftlab.book.ch13_real_triads.experiments import (
 )
 from driftlab.book.ch13_real_triads.experiments.five_units import authors_rests
 from driftlab.book.ch13_real_triads.experiments.publishers_numbers import _FIVE_GYROS
-from driftlab.book.machinery.csv_table import read_table
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.csv_table import read_table
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.earth import EARTH_RATE
 from support import ROOT, recording_or_skip
 

@@ -21,7 +21,7 @@ from driftlab.book.ch13_real_triads.offset_two_ways import (
     rest_rates,
     verdicts,
 )
-from driftlab.book.machinery.csv_table import read_table
+from driftlab.book.machinery.figure.csv_table import read_table
 from driftlab.drift.missed_stops import near_turns
 from driftlab.drift.turns_by_hand import HandTurn, fit_hand_turns, hand_turns
 from driftlab.recordings.csv_reader import read_csv

@@ -14,8 +14,8 @@ from driftlab.book.ch13_real_triads.experiments.parked_car import (
     parked_car,
     spread,
 )
-from driftlab.book.machinery.csv_table import read_table
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.csv_table import read_table
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.trials import normal_ranges, range_over_deviation
 from driftlab.vectors import wrap_angle

@@ -6,8 +6,8 @@ import pytest
 from driftlab.book import given
 from driftlab.book.exercises import KINDS, all_exercises
 from driftlab.book.instructors.expected_answers import expected, expected_answers, told
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.formulas import Formula
 from driftlab.drift import earth_offset
 
 VALUE = Value(kind="compute", right=lambda: np.pi / 2, unit="radians", mistakes={"No.": float})

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from driftlab.book import class_report
-from driftlab.book.machinery.records import MIME
+from driftlab.book.machinery.exercise.records import MIME
 from hand_ins import put, zipped
 from hostile import CODE, MARK, MARKUP, TEXTS, Elements, all_that_runs
 

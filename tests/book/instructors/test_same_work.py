@@ -2,7 +2,7 @@
 
 import json
 
-from driftlab.book.machinery.records import MIME
+from driftlab.book.machinery.exercise.records import MIME
 from hand_ins import notebook, put, rows
 
 LONG = "The axis enters twice, so its sign cannot matter."

@@ -17,10 +17,10 @@ from driftlab.book.instructors.saved_answers import (
     STATUSES,
     saved_answers,
 )
-from driftlab.book.machinery.answers import NOT_ALL, NOT_ONE, SAY_WHY
-from driftlab.book.machinery.exercise import Said
-from driftlab.book.machinery.progress import Progress
-from driftlab.book.machinery.records import MIME
+from driftlab.book.machinery.exercise.answers import NOT_ALL, NOT_ONE, SAY_WHY
+from driftlab.book.machinery.exercise.exercise import Said
+from driftlab.book.machinery.exercise.progress import Progress
+from driftlab.book.machinery.exercise.records import MIME
 
 
 def saved(*cells):

@@ -4,7 +4,7 @@ import json
 
 from driftlab.book import class_report
 from driftlab.book.exercises import all_exercises
-from driftlab.book.machinery.records import MIME
+from driftlab.book.machinery.exercise.records import MIME
 from hand_ins import RIGHT, notebook, put, rows
 
 

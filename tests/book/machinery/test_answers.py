@@ -8,10 +8,10 @@ import pytest
 import sympy as sp
 from hypothesis import given, strategies as st
 
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import Said
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.slips import UNITS
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.exercise import Said
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.slips import UNITS
 
 QUARTER = Value(kind="compute", right=lambda: np.pi / 2, unit="radians")
 OBTUSE = Value(kind="compute", right=lambda: 2.0, unit="radians")

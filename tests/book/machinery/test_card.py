@@ -5,10 +5,10 @@ from html.parser import HTMLParser
 
 import pytest
 
-from driftlab.book.machinery.card import Card, HintCard
-from driftlab.book.machinery.exercise import Verdict
-from driftlab.book.machinery.hints import Help
-from driftlab.book.machinery.progress import Progress, as_text
+from driftlab.book.machinery.exercise.card import Card, HintCard
+from driftlab.book.machinery.exercise.exercise import Verdict
+from driftlab.book.machinery.exercise.hints import Help
+from driftlab.book.machinery.exercise.progress import Progress, as_text
 
 HELP = Help("The worst <axis> of 2", "Look at `n`.", "Think of n < 1.", "Because.")
 RIGHT = Verdict(True, "right. Now see.")

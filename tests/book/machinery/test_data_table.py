@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.constants import arcminute, degree, hour
 
-from driftlab.book.machinery.csv_table import as_words
-from driftlab.book.machinery.data_table import KEPT, UNITS, DataTable
+from driftlab.book.machinery.figure.csv_table import as_words
+from driftlab.book.machinery.figure.data_table import KEPT, UNITS, DataTable
 
 TABLE = DataTable(
     {

@@ -8,9 +8,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import GUIDE, Drawing, MissingCurves
-from driftlab.book.machinery.picture import Picture
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import GUIDE, Drawing, MissingCurves
+from driftlab.book.machinery.figure.picture import Picture
 from driftlab.checks import FloatArray
 
 TABLE = DataTable(

@@ -14,12 +14,12 @@ from scipy.constants import arcminute
 
 from driftlab.book import guess, guesses
 from driftlab.book.chapters import CHAPTERS, chapters_with
-from driftlab.book.machinery import kept_guesses
-from driftlab.book.machinery.guess import GuessControl
-from driftlab.book.machinery.kept_guesses import FILE, in_memory, keep, kept_guess
-from driftlab.book.machinery.marks import marks
-from driftlab.book.machinery.puzzle import Choice, Number, Puzzle
-from driftlab.book.machinery.revealed import WITHOUT_GUESS
+from driftlab.book.machinery.exercise import kept_guesses
+from driftlab.book.machinery.exercise.guess import GuessControl
+from driftlab.book.machinery.exercise.kept_guesses import FILE, in_memory, keep, kept_guess
+from driftlab.book.machinery.exercise.marks import marks
+from driftlab.book.machinery.exercise.puzzle import Choice, Number, Puzzle
+from driftlab.book.machinery.exercise.revealed import WITHOUT_GUESS
 from driftlab.book.puzzles import ENOUGH, puzzle_of
 from driftlab.book.scenarios import ship_manoeuvre
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from driftlab.book.machinery.units import angle_text, number_text
+from driftlab.book.machinery.panel.units import angle_text, number_text
 
 
 @pytest.mark.parametrize(

@@ -18,12 +18,12 @@ from PIL import Image
 from driftlab.book import AllanExplorer, DriftExplorer, RootsExplorer, TurnCalibrationExplorer
 from driftlab.book.ch02_characteristic_equation.experiments import characteristic_roots
 from driftlab.book.ch02_characteristic_equation.figures.roots import RootsPicture
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.panel import ERROR_CLASS, OWN_VALUES, Explorer
-from driftlab.book.machinery.picture import Picture
-from driftlab.book.machinery.results import Results
-from driftlab.book.machinery.sheet import COLUMN
-from driftlab.book.machinery.still import still
+from driftlab.book.machinery.figure.picture import Picture
+from driftlab.book.machinery.figure.sheet import COLUMN
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import ERROR_CLASS, OWN_VALUES, Explorer
+from driftlab.book.machinery.panel.results import Results
+from driftlab.book.machinery.panel.still import still
 from grouped import opened
 from panel_numbers import results_of, shown_numbers
 

@@ -5,9 +5,9 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from driftlab.attitude import Algorithm
-from driftlab.book.machinery.picture import decades, legend_above, legend_below_all
-from driftlab.book.machinery.sheet import COLUMN, PAGE, Sheet
-from driftlab.book.machinery.written import written
+from driftlab.book.machinery.figure.picture import decades, legend_above, legend_below_all
+from driftlab.book.machinery.figure.sheet import COLUMN, PAGE, Sheet
+from driftlab.book.machinery.figure.written import written
 
 
 @pytest.mark.parametrize("width", [COLUMN, PAGE])

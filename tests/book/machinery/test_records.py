@@ -10,9 +10,9 @@ from IPython.core.formatters import DisplayFormatter
 
 from driftlab.book import exercises
 from driftlab.book.exercises import judged, verdict
-from driftlab.book.machinery.exercise import NOTHING_SAID, Said
-from driftlab.book.machinery.progress import Progress
-from driftlab.book.machinery.records import LONGEST, MIME
+from driftlab.book.machinery.exercise.exercise import NOTHING_SAID, Said
+from driftlab.book.machinery.exercise.progress import Progress
+from driftlab.book.machinery.exercise.records import LONGEST, MIME
 
 
 def record(number, answer, said=NOTHING_SAID, progress=None):

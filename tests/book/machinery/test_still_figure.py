@@ -6,12 +6,12 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Polygon
 from matplotlib.text import Text
 
+from driftlab.book.machinery.figure.sheet import COLUMN, Sheet
 from driftlab.book.machinery.scene.look import colour, look
 from driftlab.book.machinery.scene.solids import arrow, box, pin
 from driftlab.book.machinery.scene.stage import Part, Stage, View
 from driftlab.book.machinery.scene.still_figure import artists, still_figure
 from driftlab.book.machinery.scene.svg import VIEW, flat_corners, from_behind
-from driftlab.book.machinery.sheet import COLUMN, Sheet
 
 
 def a_stage() -> Stage:

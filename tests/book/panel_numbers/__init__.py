@@ -9,7 +9,7 @@ import html
 import re
 from collections.abc import Callable
 
-from driftlab.book.machinery.panel import Explorer
+from driftlab.book.machinery.panel.panel import Explorer
 
 from . import ch01, ch02, ch03, ch04, ch05, ch06, ch07, ch08, ch09, ch10, ch11, ch13
 from .values import Rows, Values

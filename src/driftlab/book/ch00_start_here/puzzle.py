@@ -5,7 +5,7 @@ from scipy.constants import arcminute
 
 from driftlab.drift import drift_per_turn
 
-from ..machinery.puzzle import Number, Puzzle
+from ..machinery.exercise.puzzle import Number, Puzzle
 
 LEANING = np.array([[0, 2e-3, 0], [0, 0, 0], [0, 0, 0]])
 """The first gyro leans by two milliradians to the second edge."""

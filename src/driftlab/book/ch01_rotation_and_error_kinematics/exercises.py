@@ -3,11 +3,11 @@
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import Exercise
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.given_numbers import GivenNumbers
-from driftlab.book.machinery.reading import slider
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.exercise import Exercise
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.given_numbers import GivenNumbers
+from driftlab.book.machinery.exercise.reading import slider
 from driftlab.checks import FloatArray
 from driftlab.drift.error_kinematics import error_quaternion, error_rate_matrix
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle

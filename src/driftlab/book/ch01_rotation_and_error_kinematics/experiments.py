@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import finite_array
 from driftlab.drift.error_kinematics import attitude_quaternion, error_quaternion, error_rate_matrix
 from driftlab.quaternion import rotate, rotation_angle, to_rotation_vector

@@ -6,11 +6,11 @@ from typing import ClassVar
 
 import numpy as np
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import Results
-from driftlab.book.machinery.units import angle_text, number_text
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import Results
+from driftlab.book.machinery.panel.units import angle_text, number_text
 
 from .experiments import DURATION, SAMPLES, SPIN, error_motion
 from .figures.error_motion import ErrorMotionPicture

@@ -5,7 +5,7 @@ import numpy as np
 from driftlab.drift import error_quaternion
 from driftlab.quaternion import rotation_angle
 
-from ..machinery.puzzle import Number, Puzzle
+from ..machinery.exercise.puzzle import Number, Puzzle
 
 TURN = 30.0
 """Seconds of one turn at 12 degrees a second."""

@@ -6,16 +6,16 @@ from typing import ClassVar
 
 import numpy as np
 
-from driftlab.book.machinery.axis import axis_code, axis_of, axis_values
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Values
-from driftlab.book.machinery.results import ABSENT, Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.axis import axis_code, axis_of, axis_values
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Values
+from driftlab.book.machinery.panel.results import ABSENT, Results
+from driftlab.book.machinery.panel.units import angle_text
 from driftlab.book.machinery.scene.solids import box, circle, frame_of_box, pin
 from driftlab.book.machinery.scene.spans import reach
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
-from driftlab.book.machinery.units import angle_text
 from driftlab.checks import FloatArray
 
 from .experiments import DURATION, MOMENTS, SPIN, error_in_space

@@ -5,7 +5,7 @@ import warnings
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import OBLIQUE_AXIS, SYMMETRIC
 from driftlab.checks import ComplexArray, FloatArray, UnusualWarning, finite_array, nonzero_vectors
 from driftlab.drift.characteristic_equation import (

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.axis import AXIS_CONTROLS, axis_code, axis_of
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import Results
 from driftlab.book.scenarios import SHAPES
 
 from .experiments import FORMULAS, characteristic_roots

@@ -5,7 +5,7 @@ from scipy.constants import hour
 
 from driftlab.drift import exact_roots
 
-from ..machinery.puzzle import Number, Puzzle
+from ..machinery.exercise.puzzle import Number, Puzzle
 
 SPIN = 2 * np.pi / 6
 """Ten turns a minute, rad/s."""

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SYMMETRIC
 from driftlab.checks import FloatArray, finite_array, nonzero_vectors, positive_number, whole_number
 from driftlab.drift.error_kinematics import error_quaternion

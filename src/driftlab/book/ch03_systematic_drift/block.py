@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from driftlab.book.machinery.panel import Values
+from driftlab.book.machinery.panel.panel import Values
 from driftlab.book.machinery.scene.solids import box, frame_of_box, pin
 from driftlab.book.machinery.scene.stage import Part
 from driftlab.checks import FloatArray

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.panel import Values
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Values
 from driftlab.book.scenarios import LARIN_TRIAD, SKEW, SYMMETRIC
 from driftlab.checks import FloatArray
 

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import Exercise
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.given_numbers import GivenNumbers
-from driftlab.book.machinery.reading import SettingError
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.exercise import Exercise
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.given_numbers import GivenNumbers
+from driftlab.book.machinery.exercise.reading import SettingError
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import (

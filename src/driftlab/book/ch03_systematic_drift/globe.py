@@ -6,15 +6,21 @@ from typing import ClassVar
 
 import numpy as np
 
-from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.axis import (
+    AXIS_CONTROLS,
+    axis_code,
+    axis_of,
+    axis_values,
+    matrix_code,
+)
+from driftlab.book.machinery.panel.panel import Values
+from driftlab.book.machinery.panel.results import Results
+from driftlab.book.machinery.panel.units import angle_text
 from driftlab.book.machinery.scene.solids import globe
 from driftlab.book.machinery.scene.spans import span
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
-from driftlab.book.machinery.units import angle_text
 from driftlab.book.scenarios import SKEW
 from driftlab.checks import FloatArray
 from driftlab.quaternion import from_rotation_vector

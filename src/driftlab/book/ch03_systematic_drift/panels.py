@@ -2,10 +2,16 @@
 
 from typing import ClassVar
 
-from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.axis import (
+    AXIS_CONTROLS,
+    axis_code,
+    axis_of,
+    axis_values,
+    matrix_code,
+)
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import Results
 
 from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of
 from .experiments import drift_history

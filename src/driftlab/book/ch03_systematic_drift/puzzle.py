@@ -4,7 +4,7 @@ import numpy as np
 
 from driftlab.drift import drift_per_turn
 
-from ..machinery.puzzle import Choice, Number, Puzzle
+from ..machinery.exercise.puzzle import Choice, Number, Puzzle
 from ..scenarios import SKEW, SYMMETRIC
 
 MILLI = 1e-3

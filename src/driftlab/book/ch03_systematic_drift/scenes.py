@@ -8,14 +8,20 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.book.ch00_start_here.puzzle import LEANING
-from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.axis import (
+    AXIS_CONTROLS,
+    axis_code,
+    axis_of,
+    axis_values,
+    matrix_code,
+)
+from driftlab.book.machinery.panel.panel import Values
+from driftlab.book.machinery.panel.results import Results
+from driftlab.book.machinery.panel.units import angle_text
 from driftlab.book.machinery.scene.spans import reach, span
 from driftlab.book.machinery.scene.stage import Curve, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
-from driftlab.book.machinery.units import angle_text
 from driftlab.book.scenarios import SKEW, SYMMETRIC
 from driftlab.checks import FloatArray
 from driftlab.quaternion import from_rotation_vector, multiply

@@ -6,11 +6,11 @@ from typing import ClassVar
 
 import numpy as np
 
-from driftlab.book.machinery.axis import matrix_code
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.axis import matrix_code
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import Results
 from driftlab.checks import FloatArray
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment

@@ -6,7 +6,7 @@ from scipy.constants import arcsecond, degree
 from driftlab.drift import recorded_turn_estimate
 from driftlab.motion import TableTurn
 
-from ..machinery.puzzle import Choice, Number, Puzzle
+from ..machinery.exercise.puzzle import Choice, Number, Puzzle
 
 LATITUDE = 37.5 * degree
 RATE = 10 * degree

@@ -20,11 +20,11 @@ from driftlab.book.ch03_systematic_drift.controls import (
     triad_error_values,
 )
 from driftlab.book.ch03_systematic_drift.experiments import EXAGGERATION
-from driftlab.book.machinery.axis import matrix_code
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.axis import matrix_code
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Values
+from driftlab.book.machinery.panel.results import Results
 from driftlab.book.machinery.scene.solids import circle
 from driftlab.book.machinery.scene.spans import span
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View

@@ -3,10 +3,10 @@
 import numpy as np
 
 from driftlab.attitude.cayley import cayley_vector, rotation_quaternion
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import Exercise
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.reading import slider
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.exercise import Exercise
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.reading import slider
 from driftlab.checks import FloatArray
 from driftlab.quaternion import multiply
 

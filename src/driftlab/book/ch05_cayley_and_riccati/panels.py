@@ -4,11 +4,11 @@ from typing import ClassVar
 
 import numpy as np
 
-from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.axis import AXIS_CONTROLS, axis_code, axis_of
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import Results
 
 from .experiments import EXAMPLE, VECTORS, cayley_map
 from .figures.cayley_map import CayleyMapPicture

@@ -5,7 +5,7 @@ import numpy as np
 from driftlab.attitude import shadow
 from driftlab.quaternion import from_rotation_vector
 
-from ..machinery.puzzle import Choice, Number, Puzzle
+from ..machinery.exercise.puzzle import Choice, Number, Puzzle
 
 AXIS = np.array([2, -1, 2]) / 3
 HISTORY, ANGLE_AND_AXIS, ONLY_NUMBERS, NEVER = (

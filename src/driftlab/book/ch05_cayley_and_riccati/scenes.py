@@ -7,11 +7,11 @@ from typing import ClassVar
 import numpy as np
 
 from driftlab.attitude.riccati import SWITCH
-from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Values
+from driftlab.book.machinery.panel.results import Results
 from driftlab.book.machinery.scene.solids import box, circle, pin
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView

@@ -11,11 +11,11 @@ from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import step_quaternions, step_vectors
 from driftlab.attitude.spherical_area import solid_angle
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import Exercise
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.given_numbers import GivenNumbers
-from driftlab.book.machinery.reading import slider
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.exercise import Exercise
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.given_numbers import GivenNumbers
+from driftlab.book.machinery.exercise.reading import slider
 from driftlab.checks import FloatArray
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply
 

@@ -7,11 +7,11 @@ from typing import ClassVar
 import numpy as np
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS, CONING_ALGORITHMS
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import ABSENT, Results
-from driftlab.book.machinery.units import angle_text
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import ABSENT, Results
+from driftlab.book.machinery.panel.units import angle_text
 from driftlab.motion.profiles import Motion
 
 from .experiments import DURATION, MOTIONS, SAMPLE_RATES, SHIP, algorithm_errors

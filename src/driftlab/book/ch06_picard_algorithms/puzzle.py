@@ -7,7 +7,7 @@ from driftlab.attitude import integrate
 from driftlab.motion import Coning
 from driftlab.quaternion import conjugate, multiply, rotation_angle
 
-from ..machinery.puzzle import Number, Puzzle
+from ..machinery.exercise.puzzle import Number, Puzzle
 
 SECONDS, RATE = 60, 100
 

@@ -7,10 +7,10 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import degree
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Values
+from driftlab.book.machinery.panel.results import Results
 from driftlab.book.machinery.scene.solids import ABOVE, box, frame_of_box, in_plane, pin
 from driftlab.book.machinery.scene.spans import reach
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View

@@ -8,10 +8,10 @@ import numpy as np
 from scipy.constants import arcsecond, micro
 
 from driftlab.body_frames import misalignment_vector
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import Exercise
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.given_numbers import GivenNumbers
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.exercise import Exercise
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.given_numbers import GivenNumbers
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.body_axes import attitude_error
 from driftlab.checks import FloatArray

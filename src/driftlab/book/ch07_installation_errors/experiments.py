@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.attitude.integration import integrate
 from driftlab.body_frames import body_frame_rotation, misalignment_vector
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.body_axes import attitude_error
 from driftlab.checks import (

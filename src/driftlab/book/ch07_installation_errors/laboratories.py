@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.body_frames import change_body_frame, misalignment_vector
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import finite_array
 from driftlab.quaternion import from_rotation_vector, rotate
 from driftlab.triad import decompose

@@ -7,10 +7,10 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import arcsecond, micro
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import Results
 from driftlab.checks import FloatArray
 from driftlab.imu import TYPICAL_ERRORS
 

@@ -7,7 +7,7 @@ from driftlab.body_frames import change_body_frame
 from driftlab.imu import TYPICAL_ERRORS
 from driftlab.quaternion import from_rotation_vector, rotate
 
-from ..machinery.puzzle import Number, Puzzle
+from ..machinery.exercise.puzzle import Number, Puzzle
 
 SEEN = 0.1 * arcsecond
 """What differs by less is the same on a laboratory's sheet."""

@@ -8,10 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import NOTHING_SAID, Exercise, Objection, Said, Verdict
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.reading import UnreadableError
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.exercise import (
+    NOTHING_SAID,
+    Exercise,
+    Objection,
+    Said,
+    Verdict,
+)
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.reading import UnreadableError
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.checks import FloatArray
 from driftlab.imu import ImuNoise

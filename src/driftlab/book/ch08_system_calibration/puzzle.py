@@ -5,7 +5,7 @@ import numpy as np
 from driftlab.calibration import ERROR_MODELS, linearize_along, unobservable_subspace
 from driftlab.motion import NINETEEN_POSITIONS, Scheme
 
-from ..machinery.puzzle import Number, Puzzle
+from ..machinery.exercise.puzzle import Number, Puzzle
 
 MODEL = ERROR_MODELS["averaged"]
 STANDING_STILL = Scheme("", dwell=2400.0)

@@ -6,14 +6,14 @@ from typing import ClassVar
 
 import numpy as np
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import UNITS, DataTable
-from driftlab.book.machinery.panel import Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import UNITS, DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Values
+from driftlab.book.machinery.panel.results import Results
+from driftlab.book.machinery.panel.units import number_text
 from driftlab.book.machinery.scene.solids import box, circle
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
-from driftlab.book.machinery.units import number_text
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.earth import earth_rate

@@ -7,11 +7,11 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import degree
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import ABSENT, Results
-from driftlab.book.machinery.sensor_controls import (
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import ABSENT, Results
+from driftlab.book.machinery.panel.sensor_controls import (
     BODY_AXES,
     accelerometer_bias_code,
     accelerometer_biases,
@@ -21,7 +21,7 @@ from driftlab.book.machinery.sensor_controls import (
     gyro_controls,
     slider_value,
 )
-from driftlab.book.machinery.units import degrees_text
+from driftlab.book.machinery.panel.units import degrees_text
 from driftlab.book.scenarios import SARATOV_LATITUDE
 
 from .experiments import (

@@ -7,7 +7,7 @@ from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass import align
 from driftlab.motion import static_imu
 
-from ..machinery.puzzle import Choice, Number, Puzzle
+from ..machinery.exercise.puzzle import Choice, Number, Puzzle
 
 DRIFT = np.array([0.0, 0.0, 0.01]) * degree / hour
 """Of the gyro that points to the right."""

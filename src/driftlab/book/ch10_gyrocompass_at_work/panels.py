@@ -5,11 +5,11 @@ from typing import Any, ClassVar
 import numpy as np
 from scipy.constants import arcminute, degree, hour, knot, minute
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import ABSENT, Results
-from driftlab.book.machinery.sensor_controls import (
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import ABSENT, Results
+from driftlab.book.machinery.panel.sensor_controls import (
     BODY_AXES,
     gyro_bias_code,
     gyro_biases,

@@ -7,7 +7,7 @@ from scipy.constants import arcminute
 
 from driftlab.gyrocompass import simulate_compass
 
-from ..machinery.puzzle import Number, Puzzle
+from ..machinery.exercise.puzzle import Number, Puzzle
 from ..scenarios import SPEED_UP, ship_manoeuvre
 
 

@@ -6,11 +6,11 @@ from functools import cache
 import numpy as np
 from scipy.constants import arcsecond
 
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import Exercise
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.given_numbers import GivenNumbers
-from driftlab.book.machinery.reading import slider
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.exercise import Exercise
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.given_numbers import GivenNumbers
+from driftlab.book.machinery.exercise.reading import slider
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE as LATITUDE, SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_per_turn

@@ -9,7 +9,7 @@ from scipy.constants import arcsecond
 from driftlab.attitude.coning_algorithms import AnyAlgorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.body_frames import misalignment_vector
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, TABLE_LATITUDE, ship_manoeuvre
 from driftlab.calibration.calibration_history import Calibration
 from driftlab.calibration.simulation import TableTrial

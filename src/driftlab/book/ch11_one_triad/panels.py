@@ -8,12 +8,12 @@ import numpy as np
 from scipy.constants import arcminute, arcsecond, degree
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import Results
-from driftlab.book.machinery.sensor_controls import BODY_AXES, slider_value
-from driftlab.book.machinery.units import degrees_text
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import Results
+from driftlab.book.machinery.panel.sensor_controls import BODY_AXES, slider_value
+from driftlab.book.machinery.panel.units import degrees_text
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE
 
 from .experiments import MISALIGNMENT, NON_ORTHOGONALITY, STAGES, calibration_stages

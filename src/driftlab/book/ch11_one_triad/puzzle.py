@@ -5,7 +5,7 @@ from scipy.constants import arcsecond, minute
 
 from driftlab.gyrocompass import simulate_compass
 
-from ..machinery.puzzle import Number, Puzzle
+from ..machinery.exercise.puzzle import Number, Puzzle
 from ..scenarios import TURN, ship_manoeuvre
 
 LEAN = 30 * arcsecond

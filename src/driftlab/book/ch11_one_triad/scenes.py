@@ -19,16 +19,16 @@ from driftlab.book.ch10_gyrocompass_at_work.scenes.ship import (
     size,
     wake_points,
 )
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Values
+from driftlab.book.machinery.panel.results import Results
+from driftlab.book.machinery.panel.sensor_controls import BODY_AXES
+from driftlab.book.machinery.panel.units import degrees_text
 from driftlab.book.machinery.scene.solids import box, compass_card, pin, raised, sea, ship
 from driftlab.book.machinery.scene.spans import reach
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
-from driftlab.book.machinery.sensor_controls import BODY_AXES
-from driftlab.book.machinery.units import degrees_text
 from driftlab.book.scenarios import SPEED, TURN
 from driftlab.checks import FloatArray
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from driftlab.book.ch10_gyrocompass_at_work.experiments import ship_with_compass
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, ship_manoeuvre
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity

@@ -4,7 +4,7 @@ import numpy as np
 
 from driftlab.conventions import mirror_heading
 
-from ..machinery.puzzle import Number, Puzzle
+from ..machinery.exercise.puzzle import Number, Puzzle
 
 HEADING = 30.0
 """What both ships report, degrees."""

@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 from scipy.constants import arcsecond, degree, hour
 
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import Exercise
-from driftlab.book.machinery.given_numbers import GivenNumbers
-from driftlab.book.machinery.reading import slider
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.exercise import Exercise
+from driftlab.book.machinery.exercise.given_numbers import GivenNumbers
+from driftlab.book.machinery.exercise.reading import slider
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
 from driftlab.noise_terms import NoiseTerms

@@ -11,10 +11,10 @@ from driftlab.checks import FloatArray
 from driftlab.drift.missed_stops import NearTurn
 from driftlab.drift.turns_by_hand import HandTurn, HandTurnFit
 
-from ..machinery.data_table import DataTable
-from ..machinery.drawing import Drawing, from_table
-from ..machinery.picture import GREY, SERIES, legend_above, legend_below_all
-from ..machinery.publish import FigureDefinition, PublishedFigure
+from ..machinery.figure.data_table import DataTable
+from ..machinery.figure.drawing import Drawing, from_table
+from ..machinery.figure.picture import GREY, SERIES, legend_above, legend_below_all
+from ..machinery.figure.publish import FigureDefinition, PublishedFigure
 from ..machinery.table import Table
 from .offset_two_ways import RestRates
 

@@ -8,11 +8,11 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import arcsecond, degree, hour, minute
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import ABSENT, Results
-from driftlab.book.machinery.units import number_text
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import ABSENT, Results
+from driftlab.book.machinery.panel.units import number_text
 from driftlab.checks import FloatArray
 from driftlab.noise_terms import NoiseTerms
 

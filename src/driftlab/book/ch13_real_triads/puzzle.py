@@ -6,7 +6,7 @@ from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass import align
 from driftlab.motion import static_imu
 
-from ..machinery.puzzle import Number, Puzzle
+from ..machinery.exercise.puzzle import Number, Puzzle
 
 LATITUDE = np.radians(34.2)
 LEAN = np.radians(0.1)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises
-from driftlab.book.machinery.exercise import in_order as numbered
+from driftlab.book.machinery.exercise.exercise import in_order as numbered
 
 from .class_results import ClassResults, Slip
 from .folders import files_in

@@ -7,9 +7,9 @@ from functools import singledispatch
 import numpy as np
 
 from driftlab.book.exercises import by_kind
-from driftlab.book.machinery.answers import Choice, Value, computed
-from driftlab.book.machinery.exercise import Exercise, key_of
-from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.exercise.answers import Choice, Value, computed
+from driftlab.book.machinery.exercise.exercise import Exercise, key_of
+from driftlab.book.machinery.exercise.formulas import Formula
 from driftlab.book.machinery.table import Table
 
 

@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 
 from driftlab.book.exercises import judged
-from driftlab.book.machinery.exercise import Said
-from driftlab.book.machinery.progress import Progress
+from driftlab.book.machinery.exercise.exercise import Said
+from driftlab.book.machinery.exercise.progress import Progress
 
 RIGHT = {
     "1.1": "[180, 0, 0]",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from driftlab.book.exercises import all_exercises
-from driftlab.book.machinery.exercise import in_order
+from driftlab.book.machinery.exercise.exercise import in_order
 
 from .saved_answers import SavedAnswer, SavedNotebook
 

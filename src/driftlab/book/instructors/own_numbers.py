@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 
 from driftlab.book.exercises import all_exercises
-from driftlab.book.machinery.exercise import in_order
-from driftlab.book.machinery.given_numbers import same_name
+from driftlab.book.machinery.exercise.exercise import in_order
+from driftlab.book.machinery.exercise.given_numbers import same_name
 
 from .plain_text import is_no_name
 from .roster import Listed

@@ -12,9 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from driftlab.book.exercises import all_exercises
-from driftlab.book.machinery.answers import Choice, Value, computed
-from driftlab.book.machinery.exercise import NUMBER, Exercise, key_of
-from driftlab.book.machinery.slips import exactness, slips
+from driftlab.book.machinery.exercise.answers import Choice, Value, computed
+from driftlab.book.machinery.exercise.exercise import NUMBER, Exercise, key_of
+from driftlab.book.machinery.exercise.slips import exactness, slips
 
 MOST_NUMBERS = 6
 """What a student may be asked to type in a row."""

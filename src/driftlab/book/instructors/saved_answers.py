@@ -1,6 +1,6 @@
 """What the exercises in a saved notebook say; nothing of it is run.
 
-`check` leaves a record beside what it shows (`machinery.records`). Where there is none, as in
+`check` leaves a record beside what it shows (`exercise.records`). Where there is none, as in
 notebooks of earlier versions, the words that it shows are read. Nothing proves that nobody wrote
 either by hand.
 """
@@ -15,8 +15,8 @@ from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any
 
-from driftlab.book.machinery.answers import NOT_ALL, NOT_ONE, letters_in
-from driftlab.book.machinery.records import MIME
+from driftlab.book.machinery.exercise.answers import NOT_ALL, NOT_ONE, letters_in
+from driftlab.book.machinery.exercise.records import MIME
 
 from .plain_text import clean
 

@@ -1,6 +1,6 @@
 """The published figures of chapter 00, with their captions."""
 
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from . import frames, map_of_ideas
 

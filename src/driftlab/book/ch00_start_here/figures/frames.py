@@ -4,9 +4,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.spatial.transform import Rotation
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, BLUE, VERMILION, plain_axes, project
-from driftlab.book.machinery.sheet import Sheet
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, BLUE, VERMILION, plain_axes, project
+from driftlab.book.machinery.figure.sheet import Sheet
 from driftlab.checks import FloatArray
 
 EAST, NORTH, UP = np.eye(3)

@@ -7,9 +7,9 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, ORANGE, VERMILION
-from driftlab.book.machinery.sheet import Sheet
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, BLUE, GREEN, ORANGE, VERMILION
+from driftlab.book.machinery.figure.sheet import Sheet
 from driftlab.checks import FloatArray
 
 

@@ -1,6 +1,6 @@
 """The published figures of chapter 01, with their captions."""
 
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
 from . import error_motion

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, Picture, legend_above
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.picture import BLACK, GREY, GUIDE, SERIES, Picture, legend_above
 
 from ..experiments import COMPONENTS
 

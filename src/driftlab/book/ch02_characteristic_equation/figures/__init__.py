@@ -1,6 +1,6 @@
 """The published figures of chapter 02, with their captions."""
 
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from ..experiments import characteristic_roots
 from . import roots

@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.picture import BLACK, GUIDE, SERIES, Picture, legend_below
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.picture import BLACK, GUIDE, SERIES, Picture, legend_below
 
 from ..experiments import FORMULAS
 

@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES, plain_axes, project
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, GREY, SERIES, plain_axes, project
 
 VIEW = (-15.0, 30.0)
 """Azimuth and elevation from which none of the ways is seen edge on, degrees."""

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from driftlab.book.machinery.drawing import GUIDE, Drawing, from_table
-from driftlab.book.machinery.picture import BLACK
+from driftlab.book.machinery.figure.drawing import GUIDE, Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK
 
 NAMES = ("least", "least", "middle", "middle", "greatest", "greatest")
 """Of both ends of each principal axis."""

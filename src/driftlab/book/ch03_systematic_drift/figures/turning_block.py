@@ -4,11 +4,11 @@ from dataclasses import replace
 
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.sheet import SCREEN, Sheet
 from driftlab.book.machinery.scene.stage import Stage
 from driftlab.book.machinery.scene.still_figure import still_figure
 from driftlab.book.machinery.scene.svg import animation
-from driftlab.book.machinery.sheet import SCREEN, Sheet
 from driftlab.checks import FloatArray
 
 from ..scenes import SAMPLES, TurningBlockView

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import whole_number
 
 from ..copied_digits import NUMBER

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, finite_array
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import turn_estimate

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.constants import arcminute, arcsecond, degree, hour, micro
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, whole_number
 from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_coefficient

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, finite_array, finite_number, positive_number, whole_number
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns

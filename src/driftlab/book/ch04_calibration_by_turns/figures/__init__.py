@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
 from ..experiment_numbers import NAMES, TRIADS

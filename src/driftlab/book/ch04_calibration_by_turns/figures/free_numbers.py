@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, SERIES, legend_below_all
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, SERIES, legend_below_all
 
 from ..experiment_numbers import NAMES, SUM_FACTORS, TRIADS
 from .larin_digits import pretty

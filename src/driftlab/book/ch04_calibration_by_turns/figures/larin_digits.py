@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLUE, GREY, legend_below_all
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLUE, GREY, legend_below_all
 
 from ..experiment_numbers import NAMES
 from ..experiments import CHOSEN_BY

@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import GREY, SERIES, decades, legend_below
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import GREY, SERIES, decades, legend_below
 
 from ..experiments import FORMULAS
 

@@ -2,8 +2,15 @@
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.picture import BLACK, BLUE, GUIDE, VERMILION, Picture, legend_above
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.picture import (
+    BLACK,
+    BLUE,
+    GUIDE,
+    VERMILION,
+    Picture,
+    legend_above,
+)
 
 VALUE_REACHES = (1.5, 3.0, 5.0, 15.0, 50.0, 200.0)
 """How far the axis of the estimates may reach, mrad."""

@@ -1,7 +1,7 @@
 """Yates's weighing against its rivals, with and without an offset common to all turns."""
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, BLUE, ORANGE, legend_below_all
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, BLUE, ORANGE, legend_below_all
 
 from ..experiments import METHODS
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from driftlab.attitude.cayley import rotation_quaternion, shadow
 from driftlab.attitude.riccati import SWITCH, RiccatiSolution, integrate_riccati, riccati_rate
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 

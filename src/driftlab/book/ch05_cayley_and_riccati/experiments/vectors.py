@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.attitude.cayley import cayley_vector
 from driftlab.attitude.riccati import SWITCH
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import OBLIQUE_AXIS
 from driftlab.checks import FloatArray, finite_array, nonzero_vectors
 from driftlab.quaternion import from_rotation_vector

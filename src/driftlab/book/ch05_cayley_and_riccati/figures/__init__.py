@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
 from . import cayley_map, riccati_turns

@@ -4,9 +4,9 @@ from typing import Any
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import Drawing
-from driftlab.book.machinery.picture import (
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import Drawing
+from driftlab.book.machinery.figure.picture import (
     BLACK,
     BLUE,
     GREY,

@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES, decades
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, GREY, SERIES, decades
 
 from ..experiments import WAYS
 

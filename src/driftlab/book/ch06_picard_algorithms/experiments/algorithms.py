@@ -14,7 +14,7 @@ from driftlab.attitude.coning_algorithms import (
 from driftlab.attitude.finite_precision import integrate_in_word
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import step_quaternions
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray
 from driftlab.motion.profiles import Coning, FixedAxis, Motion, Sway
 from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle

@@ -3,7 +3,7 @@
 import numpy as np
 
 from driftlab.attitude.integration import integrate
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import finite_number, positive_number
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import (

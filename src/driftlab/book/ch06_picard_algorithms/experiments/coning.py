@@ -15,7 +15,7 @@ from driftlab.attitude.coning_algorithms import (
 )
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.measured_drift import measured_coning_drift
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, finite_number, positive_number, whole_number
 from driftlab.motion.profiles import Coning
 

@@ -12,7 +12,7 @@ from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import integrate
 from driftlab.attitude.noise_amplification import NoiseGrowth
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.core.functional_iteration import tables
 from driftlab.motion.profiles import Coning

@@ -7,7 +7,7 @@ from scipy.special import factorial, factorial2
 from driftlab.attitude.coning_algorithms import Algorithm, AnyAlgorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.integration import integrate
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import conjugate, multiply, to_rotation_vector

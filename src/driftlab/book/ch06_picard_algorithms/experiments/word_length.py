@@ -10,7 +10,7 @@ from scipy.constants import day
 
 from driftlab.attitude.finite_precision import UPDATES, Update, integrate_in_word
 from driftlab.attitude.integration import integrate
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, whole_number
 from driftlab.motion.profiles import Motion
 from driftlab.quaternion import conjugate, multiply, rotation_angle

@@ -3,7 +3,7 @@
 import numpy as np
 
 from driftlab.attitude.measured_drift import MEASURED_STEPS
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
 from . import (

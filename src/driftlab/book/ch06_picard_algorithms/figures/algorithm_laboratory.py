@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.picture import (
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.picture import (
     BLACK,
     BLUE,
     GREEN,
@@ -21,7 +21,7 @@ from driftlab.book.machinery.picture import (
     Picture,
     legend_below_all,
 )
-from driftlab.book.machinery.sheet import SCREEN, Sheet
+from driftlab.book.machinery.figure.sheet import SCREEN, Sheet
 
 from ..experiments import DURATION, SAMPLE_RATES
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import legend_below_all
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import legend_below_all
 from driftlab.checks import FloatArray
 
 from .algorithm_laboratory import draw_slopes, styles

@@ -3,9 +3,9 @@
 import numpy as np
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import decades, legend_below_all
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import decades, legend_below_all
 
 from .algorithm_laboratory import styles
 

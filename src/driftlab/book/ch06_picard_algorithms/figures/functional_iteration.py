@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import GREY, SERIES, decades, legend_below_all
-from driftlab.book.machinery.sheet import Sheet
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import GREY, SERIES, decades, legend_below_all
+from driftlab.book.machinery.figure.sheet import Sheet
 
 from .algorithm_laboratory import styles
 

@@ -5,8 +5,8 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from driftlab.book.machinery.drawing import Drawing, Rows, from_table
-from driftlab.book.machinery.picture import GREY, GUIDE, SERIES, legend_below_all
+from driftlab.book.machinery.figure.drawing import Drawing, Rows, from_table
+from driftlab.book.machinery.figure.picture import GREY, GUIDE, SERIES, legend_below_all
 
 from ..experiments import RANDOM_KINDS, STAGE_LABELS
 

@@ -3,8 +3,8 @@
 import numpy as np
 
 from driftlab.attitude.finite_precision import UPDATES
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import GREY, GUIDE, SERIES, legend_below_all
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import GREY, GUIDE, SERIES, legend_below_all
 
 from ..experiments import STORED_AS_ONE
 

@@ -1,7 +1,7 @@
 """The published figures of chapter 07, with their captions."""
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
 from . import equivalent_start, plane_axes, plane_split, split_triad

@@ -1,7 +1,7 @@
 """A misaligned triad against an ideal one that starts wrong; Wu (16)-(36), not linearised."""
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import GREY, GUIDE, SERIES, decades
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import GREY, GUIDE, SERIES, decades
 
 from ..experiments import LEAST, SPEEDS, TILTS
 

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, GREY, VERMILION, plain_axes
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, BLUE, GREEN, GREY, VERMILION, plain_axes
 from driftlab.checks import FloatArray
 
 

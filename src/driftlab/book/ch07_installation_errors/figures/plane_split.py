@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, GREY, plain_axes
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, BLUE, GREEN, GREY, plain_axes
 
 from .plane_axes import beside, lowest, pair, three_planes
 

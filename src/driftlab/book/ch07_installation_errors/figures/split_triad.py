@@ -3,8 +3,8 @@
 import numpy as np
 from scipy.constants import arcsecond, micro
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.picture import (
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.picture import (
     BLUE,
     GREEN,
     GREY,

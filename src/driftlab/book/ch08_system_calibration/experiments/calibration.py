@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import UNITS, DataTable
+from driftlab.book.machinery.figure.data_table import UNITS, DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import ERROR_MODELS, TableTrial, Trial
 from driftlab.checks import whole_number

@@ -12,7 +12,7 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.body_frames import BODY_FRAMES
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.monte_carlo import sweep
 from driftlab.motion.scheme import SCHEMES

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.constants import arcsecond
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.calibration import TableTrial
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.monte_carlo import mean_square_bounds, sweep

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.body_frames import GYRO_FRAMES
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import Trial, navigate_static
 from driftlab.checks import FloatArray, positive_number

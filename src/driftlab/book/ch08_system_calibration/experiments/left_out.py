@@ -6,7 +6,7 @@ Each size follows from a stated assumption; what it would bias is the state that
 import numpy as np
 from scipy.constants import degree, g, hour, micro
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.calibration import ERROR_MODELS
 from driftlab.motion.scheme import NINETEEN_POSITIONS
 

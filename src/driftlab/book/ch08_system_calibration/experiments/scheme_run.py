@@ -4,7 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import ERROR_MODELS, deviation_history, linearize_along
 from driftlab.imu import ImuNoise, PriorDeviations

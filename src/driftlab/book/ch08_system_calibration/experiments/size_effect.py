@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.calibration import ERROR_MODELS, TableTrial, nees
 from driftlab.checks import FloatArray, positive_number
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS, HigherOrderErrors

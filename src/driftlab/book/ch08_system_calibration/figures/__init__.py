@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from types import ModuleType
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
 from . import (

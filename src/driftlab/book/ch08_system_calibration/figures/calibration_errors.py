@@ -1,8 +1,8 @@
 """All 21 sensor errors of one calibration: what is left, and three standard deviations."""
 
-from driftlab.book.machinery.data_table import UNITS, DataTable
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import SERIES, legend_below_all
+from driftlab.book.machinery.figure.data_table import UNITS, DataTable
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import SERIES, legend_below_all
 
 from ..experiments import state_unit, unit_of
 

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.picture import BLACK, SERIES, Picture, legend_above
 from driftlab.calibration import TableTrial
 from driftlab.motion.turntable import segments
 from driftlab.quaternion import conjugate, rotate

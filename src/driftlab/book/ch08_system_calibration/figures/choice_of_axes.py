@@ -4,9 +4,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from driftlab.body_frames import BODY_FRAMES
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, GUIDE, SERIES, legend_below_all
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, GUIDE, SERIES, legend_below_all
 from driftlab.motion.scheme import SCHEMES
 
 from ..experiments import PASSES, compared

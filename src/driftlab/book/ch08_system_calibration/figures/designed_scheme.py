@@ -3,9 +3,9 @@
 import numpy as np
 from matplotlib.axes import Axes
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, GREY, GUIDE, VERMILION
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, BLUE, GREEN, GREY, GUIDE, VERMILION
 from driftlab.motion.scheme import SCHEMES
 
 from ..experiments import BEST, CLASSES, FREE, UNIT, rows_of, short_name

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, SERIES, legend_below_all
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, SERIES, legend_below_all
 
 REACH = (0.3, 1.9)
 """Of the means over what they should be, unless some leave it."""

@@ -1,8 +1,8 @@
 """A calibrated unit navigates in place, with two choices of body axes; Wu Figs. 3-5."""
 
-from driftlab.book.machinery.data_table import UNITS, DataTable
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES
+from driftlab.book.machinery.figure.data_table import UNITS, DataTable
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, GREY, SERIES
 
 from ..experiments import SHOWN
 

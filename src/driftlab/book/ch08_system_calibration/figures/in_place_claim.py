@@ -6,10 +6,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, legend_below_all
-from driftlab.book.machinery.sheet import Sheet
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, GREY, GUIDE, SERIES, legend_below_all
+from driftlab.book.machinery.figure.sheet import Sheet
 from driftlab.motion.scheme import SCHEMES
 
 from ..experiments import ALL_STARTS, QUANTITIES, TRIANGLES, Comparison, comparisons

@@ -4,8 +4,8 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 from scipy.constants import nautical_mile
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, Picture, legend_above
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.picture import BLACK, GREY, GUIDE, SERIES, Picture, legend_above
 
 REACHES = tuple(k * 10.0**power for power in range(-2, 5) for k in (1, 2, 5))
 """Of the axes, nautical miles."""

@@ -3,9 +3,9 @@
 import numpy as np
 from scipy.constants import minute
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import SERIES, legend_below_all
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import SERIES, legend_below_all
 
 
 def caption(table: DataTable) -> str:

@@ -4,9 +4,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.constants import centi
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, GREY, GUIDE, SERIES
 from driftlab.checks import FloatArray
 from driftlab.motion.scheme import SCHEMES
 

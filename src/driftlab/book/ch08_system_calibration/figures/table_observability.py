@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.picture import BLACK, BLUE, GREY, GUIDE, VERMILION, Picture
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.picture import BLACK, BLUE, GREY, GUIDE, VERMILION, Picture
 
 from ..experiments import DRAWN_ZERO, SLOTS
 

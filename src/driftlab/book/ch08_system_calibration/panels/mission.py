@@ -5,11 +5,11 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import arcminute, arcsecond, degree, g, hour, knot, micro
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import Results
-from driftlab.book.machinery.units import number_text
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import Results
+from driftlab.book.machinery.panel.units import number_text
 from driftlab.book.scenarios import TABLE_LATITUDE
 
 from ..experiments import SETTABLE, mission

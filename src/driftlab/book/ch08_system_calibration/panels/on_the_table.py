@@ -7,11 +7,11 @@ import numpy as np
 from scipy.constants import degree, g, hour, micro
 
 from driftlab.body_frames import BODY_FRAMES, GYRO_FRAMES
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import UNITS, DataTable
-from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import Results
-from driftlab.book.machinery.units import number_text
+from driftlab.book.machinery.figure.data_table import UNITS, DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Explorer, Values
+from driftlab.book.machinery.panel.results import Results
+from driftlab.book.machinery.panel.units import number_text
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import ERROR_MODELS, FULL
 from driftlab.imu import ImuNoise

@@ -1,6 +1,6 @@
 """Exercises of chapter 09: aligning a gyrocompass."""
 
-from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.exercise.exercise import Exercise
 
 from . import one_position, waiting
 

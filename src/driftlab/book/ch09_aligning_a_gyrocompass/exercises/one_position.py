@@ -4,11 +4,11 @@ import numpy as np
 from scipy.constants import degree, g, hour, milli
 from scipy.optimize import brentq
 
-from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import Exercise
-from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.given_numbers import GivenNumbers
-from driftlab.book.machinery.reading import slider
+from driftlab.book.machinery.exercise.answers import Choice, Value
+from driftlab.book.machinery.exercise.exercise import Exercise
+from driftlab.book.machinery.exercise.formulas import Formula
+from driftlab.book.machinery.exercise.given_numbers import GivenNumbers
+from driftlab.book.machinery.exercise.reading import slider
 from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE

@@ -6,9 +6,9 @@ from functools import cache
 import numpy as np
 from scipy.constants import degree, hour
 
-from driftlab.book.machinery.answers import Value
-from driftlab.book.machinery.exercise import Exercise
-from driftlab.book.machinery.given_numbers import GivenNumbers
+from driftlab.book.machinery.exercise.answers import Value
+from driftlab.book.machinery.exercise.exercise import Exercise
+from driftlab.book.machinery.exercise.given_numbers import GivenNumbers
 from driftlab.earth import EARTH_RATE
 
 from ..experiments import WHITE, gyro_noise

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import finite_array, finite_number
 from driftlab.frames import from_euler_angles, navigation_frame_rate
 from driftlab.gyrocompass.alignment import align

@@ -5,9 +5,9 @@ from matplotlib.artist import Artist
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import Rows
-from driftlab.book.machinery.picture import (
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import Rows
+from driftlab.book.machinery.figure.picture import (
     BLACK,
     GUIDE,
     SERIES,

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import GREY, SERIES, legend_below_all
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import GREY, SERIES, legend_below_all
 
 from ..experiments import GYROS
 

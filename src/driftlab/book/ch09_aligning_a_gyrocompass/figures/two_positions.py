@@ -4,8 +4,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import GREY, SERIES
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import GREY, SERIES
 
 TICKS = tuple(k * 10.0**power for power in range(-6, 2) for k in (1, 2, 5))
 """Marks at the axes of the spread, degrees."""

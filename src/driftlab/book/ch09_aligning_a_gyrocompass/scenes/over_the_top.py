@@ -7,14 +7,14 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import degree
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Values
+from driftlab.book.machinery.panel.results import Results
+from driftlab.book.machinery.panel.sensor_controls import slider_value
 from driftlab.book.machinery.scene.solids import box, frame_of_box
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
-from driftlab.book.machinery.sensor_controls import slider_value
 from driftlab.checks import FloatArray
 from driftlab.quaternion import multiply, rotate
 

@@ -1,6 +1,6 @@
 """Exercises of chapter 10: the gyrocompass at work."""
 
-from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.exercise.exercise import Exercise
 
 from . import damping, judging, under_way
 

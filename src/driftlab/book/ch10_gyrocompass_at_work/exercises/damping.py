@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from driftlab.book.machinery.answers import Value
-from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.exercise.answers import Value
+from driftlab.book.machinery.exercise.exercise import Exercise
 from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE, SCHULER_PERIOD
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE, gravity

@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 from scipy.constants import degree, hour
 
-from driftlab.book.machinery.answers import Value
-from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.exercise.answers import Value
+from driftlab.book.machinery.exercise.exercise import Exercise
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.trials import normal_ranges, range_over_deviation

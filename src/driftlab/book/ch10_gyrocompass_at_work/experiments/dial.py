@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from scipy.constants import arcminute, degree, g, hour, milli
 
-from driftlab.book.machinery.data_table import UNITS, DataTable
+from driftlab.book.machinery.figure.data_table import UNITS, DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, finite_array, whole_number
 from driftlab.frames import from_euler_angles

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import degree, hour, minute
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE, SCHULER_PERIOD
 from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity

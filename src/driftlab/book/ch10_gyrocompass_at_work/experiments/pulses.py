@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.gains import damped_gains

@@ -3,7 +3,7 @@
 import numpy as np
 
 from driftlab.book.ch09_aligning_a_gyrocompass.experiments import MOVING_AVERAGE, WHITE, gyro_noise
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, whole_number
 from driftlab.gyrocompass.alignment import align

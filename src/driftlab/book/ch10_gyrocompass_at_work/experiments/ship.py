@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE, ship_manoeuvre
 from driftlab.checks import FloatArray
 from driftlab.frames import to_euler_angles

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.constants import degree
 
 from driftlab.book.ch09_aligning_a_gyrocompass.experiments import MOVING_AVERAGE, WHITE, gyro_noise
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, finite_array
 from driftlab.earth import EARTH_RATE

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import arcminute, degree, g, hour, milli
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship_manoeuvre
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass

@@ -3,8 +3,8 @@
 import numpy as np
 from scipy.constants import arcminute
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.publish import FigureDefinition
 from driftlab.book.machinery.scene.published import scene_figure
 from driftlab.book.scenarios import SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray

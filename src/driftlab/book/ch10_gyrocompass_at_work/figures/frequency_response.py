@@ -8,9 +8,9 @@ from matplotlib.legend_handler import HandlerTuple
 from matplotlib.ticker import NullLocator
 from scipy.constants import hour, minute
 
-from driftlab.book.machinery.data_table import UNITS
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, legend_below_all
+from driftlab.book.machinery.figure.data_table import UNITS
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, GREY, GUIDE, SERIES, legend_below_all
 from driftlab.book.scenarios import SCHULER_PERIOD
 
 from ..experiments import DAY, GAINS, SWELL

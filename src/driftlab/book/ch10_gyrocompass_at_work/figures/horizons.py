@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.constants import arcminute, minute
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import SERIES, legend_below_all
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import SERIES, legend_below_all
 from driftlab.book.scenarios import DURATION
 from driftlab.gyrocompass.simulation import HeadingErrors
 

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 from scipy.constants import minute
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, SERIES, legend_below_all
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, SERIES, legend_below_all
 from driftlab.book.scenarios import DURATION
 
 from ..experiments import TERMS

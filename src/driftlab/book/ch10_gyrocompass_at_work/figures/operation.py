@@ -4,8 +4,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.constants import minute
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.picture import BLACK, GUIDE, SERIES, Picture, legend_above
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.picture import BLACK, GUIDE, SERIES, Picture, legend_above
 from driftlab.book.scenarios import DURATION, SPEED_UP, TURN
 
 DEGREES = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 25.0, 75.0, 200.0)

@@ -1,7 +1,7 @@
 """A laser gyro unit on a parked car: the heading of a damped compass, read in two ways."""
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import SERIES, VERMILION, legend_below_all
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import SERIES, VERMILION, legend_below_all
 
 
 @from_table

@@ -3,8 +3,8 @@
 import numpy as np
 from matplotlib.axes import Axes
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, SERIES, legend_below_all
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, SERIES, legend_below_all
 
 from ..experiments import PAPER_LARGEST, STOPS, TURNED
 

@@ -7,10 +7,10 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import arcminute
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Values
+from driftlab.book.machinery.panel.results import Results
 from driftlab.book.machinery.scene.solids import arrow, box, circle
 from driftlab.book.machinery.scene.spans import reach, span
 from driftlab.book.machinery.scene.stage import GROUND, Curve, Part, Plot, Readout, Stage, View

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import arcminute, hour, minute
 
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.panel import Values
-from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.panel.control import Control
+from driftlab.book.machinery.panel.panel import Values
+from driftlab.book.machinery.panel.results import Results
 from driftlab.book.machinery.scene.solids import arrow, compass_card, raised, sea, ship
 from driftlab.book.machinery.scene.spans import reach
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View

@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from scipy.constants import minute
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.picture import (
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.picture import (
     BLACK,
     GUIDE,
     SERIES,

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.allan import AllanDeviation, allan_deviation
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.gyrocompass.inertial_alignment import (
     align_in_inertial_frame,

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import maximum_filter1d
 from scipy.optimize import least_squares
 
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.calibration.poses import calibrate_by_poses
 from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import published

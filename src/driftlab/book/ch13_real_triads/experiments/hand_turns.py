@@ -6,7 +6,7 @@ import numpy as np
 from numpy.linalg import inv, norm
 
 from driftlab.attitude.integration import integrate
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number
 from driftlab.core.quaternion import rotate, to_rotation_vector
 from driftlab.drift.recorded_turns import recorded_turn_estimate

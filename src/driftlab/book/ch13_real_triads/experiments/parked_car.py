@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, finite_array
 from driftlab.core.carried_gravity import (
     carried_velocity,

@@ -3,7 +3,7 @@
 import numpy as np
 
 from driftlab.allan import allan_deviation
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.noise_terms import NoiseTerms
 
 SAMPLES = 4096

@@ -5,7 +5,7 @@ from scipy.ndimage import uniform_filter1d
 from scipy.spatial.transform import Rotation
 
 from driftlab.body_frames import body_frame_rotation, change_body_frame
-from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.calibration.poses import calibrate_by_poses
 from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import published

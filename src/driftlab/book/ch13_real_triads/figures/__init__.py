@@ -5,8 +5,8 @@ from decimal import ROUND_UP, Decimal
 import numpy as np
 from scipy.constants import arcsecond, degree, hour
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.publish import FigureDefinition
 from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import PUBLISHED
 

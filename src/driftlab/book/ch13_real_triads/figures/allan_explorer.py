@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from driftlab.book.machinery.data_table import DataTable
-from driftlab.book.machinery.drawing import Rows
-from driftlab.book.machinery.picture import BLACK, SERIES, Picture
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.drawing import Rows
+from driftlab.book.machinery.figure.picture import BLACK, SERIES, Picture
 from driftlab.checks import FloatArray
 from driftlab.noise_terms import TERMS
 

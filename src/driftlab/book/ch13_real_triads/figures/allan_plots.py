@@ -5,8 +5,8 @@ from matplotlib import rcParams
 from matplotlib.axes import Axes
 from scipy.constants import arcsecond
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, GREY, SERIES
 from driftlab.noise_terms import TERMS
 
 from ..experiments.allan_lines import PULSE

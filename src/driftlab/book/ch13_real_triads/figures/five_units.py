@@ -6,8 +6,15 @@ import numpy as np
 from matplotlib import rcParams
 from matplotlib.axes import Axes
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, BLUE, GREY, GUIDE, VERMILION, legend_below_all
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import (
+    BLACK,
+    BLUE,
+    GREY,
+    GUIDE,
+    VERMILION,
+    legend_below_all,
+)
 
 from ..experiments import ODD, QUIET, UNIT_NAMES, WAY_NAMES
 

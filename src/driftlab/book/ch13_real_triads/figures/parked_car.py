@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib import rcParams
 from matplotlib.axes import Axes
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLACK, GREY, SERIES
 
 from ..experiments import METHODS
 

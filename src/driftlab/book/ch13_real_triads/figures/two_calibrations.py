@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import BLUE, GREY, VERMILION, plain_axes, project
+from driftlab.book.machinery.figure.drawing import Drawing, from_table
+from driftlab.book.machinery.figure.picture import BLUE, GREY, VERMILION, plain_axes, project
 from driftlab.checks import FloatArray
 
 from ..experiments import TRIANGLES

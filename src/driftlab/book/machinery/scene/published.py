@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from ..publish import FigureDefinition
-from ..sheet import SCREEN, Sheet
+from ..figure.publish import FigureDefinition
+from ..figure.sheet import SCREEN, Sheet
 from .stage import Stage
 from .still_figure import still_figure
 from .svg import animation

@@ -17,7 +17,7 @@ from matplotlib.text import Text
 
 from driftlab.checks import FloatArray
 
-from ..sheet import Sheet, drawn_in
+from ..figure.sheet import Sheet, drawn_in
 from .look import colour, look
 from .stage import Part, Stage, View
 from .svg import VIEW, arrow_lines, faces_reader, flat_corners, from_behind

@@ -14,7 +14,7 @@ import numpy as np
 from driftlab.checks import FloatArray
 from driftlab.core.quaternion import rotate
 
-from ..picture import project
+from ..figure.picture import project
 from .spans import ticks_between
 from .stage import Part, Plot, Stage, View
 

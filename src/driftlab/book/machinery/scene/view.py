@@ -13,9 +13,9 @@ import traitlets
 
 from driftlab.checks import FloatArray
 
-from ..control import Control
 from ..one_at_a_time import one_at_a_time
-from ..panel import Explorer, Values
+from ..panel.control import Control
+from ..panel.panel import Explorer, Values
 from .stage import Stage
 from .svg import STYLE, still
 

@@ -14,10 +14,10 @@ from typing import Any
 import ipywidgets as widgets
 from PIL import Image
 
-from .one_at_a_time import one_at_a_time
+from ..figure.picture import Picture
+from ..figure.sheet import STYLE, drawn_in
+from ..one_at_a_time import one_at_a_time
 from .page import Page
-from .picture import Picture
-from .sheet import STYLE, drawn_in
 
 LEAST_RATIO, MOST_RATIO = 1.25, 2.0
 """Pixels of the picture for one of the page: more are sharper, and take longer to compress."""

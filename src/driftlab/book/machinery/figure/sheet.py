@@ -19,7 +19,7 @@ from matplotlib.figure import Figure
 
 from driftlab.checks import positive_number
 
-from .one_at_a_time import ONE_AT_A_TIME
+from ..one_at_a_time import ONE_AT_A_TIME
 
 COLUMN, PAGE = 3.5, 7.2
 """Widths of a column and of a page of two columns in most journals, inches."""

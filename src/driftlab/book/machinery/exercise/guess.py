@@ -12,12 +12,12 @@ from typing import Any
 
 import ipywidgets as widgets
 
-from .control import TOOLTIP
+from ..one_at_a_time import one_at_a_time
+from ..panel.control import TOOLTIP
+from ..panel.widget_view import widget_view
 from .kept_guesses import keep, kept_guess
-from .one_at_a_time import one_at_a_time
 from .puzzle import Answer, Choice, Number, Puzzle, rounded
 from .revealed import CLOSE, revealed
-from .widget_view import widget_view
 
 GUESS_CLASS = "driftlab-guess"
 """HTML class of every guess control."""

@@ -15,16 +15,16 @@ from typing import Any, ClassVar, Protocol
 
 import ipywidgets as widgets
 
+from ..figure.picture import Picture
+from ..figure.picture_file import PICTURES, ending_of, how_to_save, picture_file
+from ..figure.sheet import Sheet
+from ..one_at_a_time import one_at_a_time
 from .control import Control
 from .control_rows import control_rows, with_class
 from .matplotlib_view import MatplotlibView
-from .one_at_a_time import one_at_a_time
 from .page import Page
-from .picture import Picture
-from .picture_file import PICTURES, ending_of, how_to_save, picture_file
 from .presets import Values as Values, check_values, offered_presets
 from .results import Results
-from .sheet import Sheet
 from .still import display_with_still, still
 
 ERROR_CLASS = "driftlab-error"

@@ -1,0 +1,1 @@
+"""How exercises and puzzles are asked, judged and kept."""

@@ -1,0 +1,1 @@
+"""How slider panels are made."""
