@@ -46,7 +46,7 @@ def test_every_line_style_of_the_book_stands_out_from_the_page():
 
 def on_a_dark_page(colour):
     """A colour of a panel's picture after the filter that page.css lays over it there."""
-    css = (Path(picture.__file__).parent / "page.css").read_text("utf-8")
+    css = (Path(picture.__file__).parents[1] / "panel/page.css").read_text("utf-8")
     (amount,) = re.findall(r"filter: invert\(([\d.]+)\) hue-rotate\(180deg\)", css)
     inverted = float(amount) - (2 * float(amount) - 1) * np.array(to_rgb(colour))
     # The matrix of a half turn of the hue, of the W3C's filter effects.
@@ -95,7 +95,7 @@ def test_caption_is_sentences_and_names_no_colour(figure: PublishedFigure) -> No
 @pytest.mark.parametrize("theme", [0, 1], ids=["light", "dark"])
 def test_what_a_scene_draws_stands_out_from_the_page(theme: int) -> None:
     """As a text does; grounds, rules and what is painted on paper aside."""
-    css = (Path(picture.__file__).parent / "scene/scene.css").read_text("utf-8")
+    css = (Path(picture.__file__).parents[1] / "scene/scene.css").read_text("utf-8")
     block = re.findall(r"\{([^}]*--dl-ink[^}]*)\}", css)[theme]
     colours = dict(re.findall(r"--dl-(\w+): (#\w+)", block))
     paper = colours.pop("paper")

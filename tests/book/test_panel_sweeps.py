@@ -118,7 +118,7 @@ def test_numbers_beside_the_picture_are_the_package_s_own(panel_class: type[Expl
         assert_shown(panel_class.__name__, panel.values, results_of(panel))
 
 
-class DotPicture(Picture[float]):
+class DotPicture(Picture):
     """One dot at a height."""
 
     size = (2.0, 1.0)
