@@ -16,20 +16,18 @@ from driftlab.gyrocompass import (
     TypeTest,
     marine_type_test,
 )
-from driftlab.gyrocompass._type_test_ways import (
+from driftlab.gyrocompass.type_test import (
     BRAKING,
     REST,
     SWING,
-    quay,
-    speeding_up,
-    turning,
-)
-from driftlab.gyrocompass.type_test import (
     _at_its_worst,
     _change_of_speed,
     _heading_errors,
     _turn,
     _turned,
+    quay,
+    speeding_up,
+    turning,
 )
 from driftlab.gyrocompass.type_test_compass import checked_steps
 

@@ -6,7 +6,7 @@ from scipy.constants import g
 
 from driftlab.earth import EARTH_RADIUS
 from driftlab.frames import to_euler_angles
-from driftlab.gyrocompass._type_test_ways import quay, rolling, speeding_up, turning
+from driftlab.gyrocompass.type_test import quay, rolling, speeding_up, turning
 
 LATITUDE, STEP = 0.8, 0.5
 SWING = 2 * np.pi * np.sqrt(EARTH_RADIUS / g)

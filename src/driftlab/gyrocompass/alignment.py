@@ -156,17 +156,18 @@ def align(
         checked_latitude(known)
     seen = _contradiction(scale * across, scale * upward, known, told)
     warn_of_contradiction(seen, tolerance, "angular_rate", latitude)
-    found = np.broadcast_arrays(
-        np.arctan2(right, forward),
-        pitch,
-        roll,
-        np.arctan2(upward, across),
-        size * across,
-        seen.rate_excess,
-        seen.latitude_excess,
-        seen.heading_doubt,
-    )
-    return Alignment(*(np.array(each)[()] for each in found))
+    found = {
+        "heading": np.arctan2(right, forward),
+        "pitch": pitch,
+        "roll": roll,
+        "latitude": np.arctan2(upward, across),
+        "level_rate": size * across,
+        "rate_excess": seen.rate_excess,
+        "latitude_excess": seen.latitude_excess,
+        "heading_doubt": seen.heading_doubt,
+    }
+    alike = zip(found, np.broadcast_arrays(*found.values()), strict=True)
+    return Alignment(**{name: np.array(each)[()] for name, each in alike})
 
 
 def _refuse_exchanged(rate: FloatArray, force: FloatArray) -> None:

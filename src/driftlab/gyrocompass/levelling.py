@@ -22,7 +22,9 @@ from numpy.typing import ArrayLike
 from driftlab.checks import (
     FloatArray,
     checked_instance,
+    finite_array,
     finite_arrays,
+    finite_number,
     shown,
     unit_quaternions,
     whole_number,
@@ -30,12 +32,13 @@ from driftlab.checks import (
 from driftlab.core.levelling import force_at_start, integrated_runs
 from driftlab.core.quaternion import from_rotation_vector
 from driftlab.core.vectors import wrap_angle
+from driftlab.earth import EARTH_RATE
 from driftlab.frames import EulerAngles, to_euler_angles
 from driftlab.increments import Increments, checked_increments
 
-from ._levelling_arguments import azimuth_rates, loop_gains, refuse_alignment
 from .alignment_results import Alignment
 from .gains import Gains
+from .two_position_alignment import PositionsAlignment
 
 _MOST_TURN = 0.1  # rad in one interval, for which the series of a turn is exact to 1e-11
 
@@ -288,3 +291,45 @@ def propagate_level_frame(
     last = LevelFrame(found[..., -1, :4], found[..., -1, 4:6])
     times: FloatArray = seconds * every * np.arange(1.0, count // every + 1)
     return LevellingHistory(times, found[..., :4], found[..., 4:6], found[..., 6:], last)
+
+
+_MOST_TIMES_THE_EARTH = 100.0
+"""An azimuth rate beyond it, 0.4 deg/s, is hardly one of a horizon: a latitude, or degrees. A ship
+at 20 m/s turns its meridian once as fast as the Earth at 85 degrees of latitude."""
+
+
+def refuse_alignment(start: object) -> None:
+    """Refuse the natural slip of an alignment in the place of a horizon."""
+    if isinstance(start, Alignment | PositionsAlignment):
+        raise ValueError(
+            "start: expected a LevelFrame(attitude, rate), got an alignment; say "
+            "initial_level_frame(alignment)."
+        )
+
+
+def loop_gains(gains: Gains, seconds: float) -> tuple[float, float]:
+    """Return k1 and k2, of a horizon that follows slowly in one interval."""
+    k1, k2 = (
+        finite_number(value, f"gains.{name}")
+        for name, value in zip(Gains._fields, checked_instance(gains, Gains, "gains"), strict=True)
+    )
+    # W is close to g times the tilt, so these are the loop's gains in one interval.
+    loop = 9.8 * np.array([k1 * seconds, k2 * seconds**2])
+    if not (loop.min() >= 0 and loop.max() <= 1):
+        raise ValueError(
+            "gains, increments.interval: expected a horizon that follows slowly in one interval, "
+            f"with gains k1 g h and k2 g h^2 from 0 to 1, got {loop[0]:.3g} and {loop[1]:.3g}."
+        )
+    return k1, k2
+
+
+def azimuth_rates(azimuth_rate: ArrayLike, count: int) -> FloatArray:
+    """Return an azimuth rate for each interval, (..., count)."""
+    rate = finite_array(azimuth_rate, "azimuth_rate")
+    fastest = float(np.abs(rate).max())
+    if fastest > _MOST_TIMES_THE_EARTH * EARTH_RATE:
+        raise ValueError(
+            "azimuth_rate: expected rad/s near U sin(latitude), at rest at most "
+            f"{EARTH_RATE:.3g}, got {fastest:.3g}. Is it a latitude, or in degrees?"
+        )
+    return np.broadcast_to(rate, count) if rate.ndim == 0 else rate

@@ -69,18 +69,18 @@ def record_of_table(
         )
         spacing, times = spacing_of_stamps(since, longest, table.place)
     recording = Recording(
-        triads[0],
-        triads[1] if len(triads) > 1 else None,
-        spacing,
-        scales[0].kind,
-        times,
-        axes,
-        latitude,
-        gravity,
-        name,
-        source,
-        licence,
-        longest,
+        gyro=triads[0],
+        accelerometer=triads[1] if len(triads) > 1 else None,
+        interval=spacing,
+        kind=scales[0].kind,
+        times=times,
+        axes=axes,
+        latitude=latitude,
+        gravity=gravity,
+        name=name,
+        source=source,
+        licence=licence,
+        longest_gap=longest,
     )
     return without_doubts(recording, allow)
 

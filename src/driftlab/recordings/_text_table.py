@@ -178,4 +178,4 @@ def read_table(path: str | Path) -> TextTable:
     width = len(lines[0].split(delimiter))
     if not text.endswith("\n"):
         refuse_cut(path, lines, start + len(lines), delimiter)
-    return TextTable(path, names, units, lines, start + 1, delimiter, width)
+    return TextTable(path, names, units, lines, start + 1, delimiter, width=width)

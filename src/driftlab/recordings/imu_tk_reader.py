@@ -101,16 +101,16 @@ def read_imu_tk(
     stamps = gyro[:, 0] - gyro[0, 0]
     interval, times = spacing_of_stamps(stamps, longest_gap, tables[0].place)
     recording = Recording(
-        scales[0].size * (gyro[:, 1:] - offsets[0]),
-        scales[1].size * (accelerometer[:, 1:] - offsets[1]),
-        interval,
-        scales[0].kind,
-        times,
-        axes,
-        latitude,
-        gravity,
-        name or tables[0].path.stem,
-        source,
-        licence,
+        gyro=scales[0].size * (gyro[:, 1:] - offsets[0]),
+        accelerometer=scales[1].size * (accelerometer[:, 1:] - offsets[1]),
+        interval=interval,
+        kind=scales[0].kind,
+        times=times,
+        axes=axes,
+        latitude=latitude,
+        gravity=gravity,
+        name=name or tables[0].path.stem,
+        source=source,
+        licence=licence,
     )
     return without_doubts(recording, allow)

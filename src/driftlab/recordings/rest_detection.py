@@ -255,20 +255,20 @@ def rests(
             f"quietest one, got {longest:.2g} s at most: try a larger multiple or a shorter rest."
         )
     return Rests(
-        np.array([b for b, _ in kept]),
-        np.array([e for _, e in kept]),
-        recording.interval,
-        float(gyro.min()),
-        force_noise,
-        int(np.argmin(gyro)) + width // 2,
-        seconds,
-        times,
-        cut,
-        least,
-        np.array([_loudest(scatter, b, e, width) for b, e in kept]),
-        tuple(rejected),
-        tuple((m, len(found(m)[0])) for m in (times / 2, times * 2)),
-        recording.kind,
+        begin=np.array([b for b, _ in kept]),
+        end=np.array([e for _, e in kept]),
+        interval=recording.interval,
+        gyro_noise=float(gyro.min()),
+        accelerometer_noise=force_noise,
+        quietest=int(np.argmin(gyro)) + width // 2,
+        window=seconds,
+        multiple=times,
+        trim=cut,
+        shortest=least,
+        loudest=np.array([_loudest(scatter, b, e, width) for b, e in kept]),
+        too_short=tuple(rejected),
+        alternatives=tuple((m, len(found(m)[0])) for m in (times / 2, times * 2)),
+        kind=recording.kind,
     )
 
 

@@ -32,7 +32,7 @@ def random_algorithm(rng: np.random.Generator) -> Algorithm:
     stages = [stage for stage in get_args(LastStage) if stage != "first iterate"]
     last_stage: LastStage = stages[rng.integers(len(stages))]
     memory = window - samples
-    return Algorithm("random", samples, memory, coning, last_stage, 3, ({},) * memory)
+    return Algorithm("random", samples, memory, coning, last_stage, 3, starts=({},) * memory)
 
 
 def drift_orders(algorithm: Algorithm, half_angles: FloatArray) -> FloatArray:
