@@ -78,9 +78,10 @@ class HigherOrderErrors(NamedTuple):
 class _Term(NamedTuple):
     """One kind of error: all that names, states, priors, simulation, filter and JSON follow from.
 
-    Three sensors have constants of their own, or share one. The effect of times (..., n, 1),
-    angles, velocities and changes of the rate (..., n, 3) is what each sensor feels besides of a
-    constant one: an array (..., n, 3), or (..., n, 3, 3) if each sensor has three constants.
+    Three sensors have constants of their own, or share one. The effect is what a constant of one
+    adds to each sensor's increment, rad or m/s: an array (..., n, 3), or (..., n, 3, 3) if each
+    sensor has three constants. It takes intervals (..., n, 1), s, and increments of angle and
+    velocity and changes of the rate (..., n, 3); a bias would have the effect ``times``.
     """
 
     field: str  # of `HigherOrderErrors`
@@ -181,13 +182,13 @@ def checked_higher_order_errors(higher_order: HigherOrderErrors) -> HigherOrderE
     )
     lead = _lead(arrays)
     return HigherOrderErrors(
-        *(np.broadcast_to(each, (*lead, *term.shape))
-          for each, term in zip(arrays, terms, strict=True))
+        **{term.field: np.broadcast_to(each, (*lead, *term.shape))
+           for each, term in zip(arrays, terms, strict=True)}
     )  # fmt: skip
 
 
 def _lead(errors: Iterable[FloatArray]) -> tuple[int, ...]:
-    """Common leading axes of errors in their order."""
+    """Common leading axes of errors in the order of `TERMS`."""
     shapes = (each.shape[: each.ndim - len(term.shape)]
               for each, term in zip(errors, TERMS.values(), strict=True))  # fmt: skip
     return np.broadcast_shapes(*shapes)
@@ -264,7 +265,7 @@ def felt_besides(
     if rate_change is None:
         rate_change = rate_changes(interval, angle)
     times = np.full(angle.shape[-2:-1], interval)
-    lead = _lead(higher_order)
+    lead = _lead(getattr(higher_order, term.field) for term in TERMS.values())
     shape = np.broadcast_shapes((*lead, 1, 1), angle.shape, velocity.shape)
     felt = {"gyro": np.zeros(shape), "accelerometer": np.zeros(shape)}
     for term in TERMS.values():

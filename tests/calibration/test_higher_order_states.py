@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
+from driftlab.calibration import error_dynamics
 from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_dynamics import (
     _higher_order_effects,
@@ -18,6 +19,7 @@ from driftlab.calibration.observability import unobservable_subspace
 from driftlab.calibration.simulation import TableTrial
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
+    TERMS,
     HigherOrderErrors,
     felt_besides,
     rate_changes,
@@ -126,6 +128,23 @@ def test_growth_along_a_scheme_has_its_jumps():
     for states in (slice(27, 36), slice(36, 37), slice(37, 40), slice(40, 49)):
         size = np.abs(found[3:6, states]).max()
         assert np.abs(whole[3:6, states] - found[3:6, states]).max() < 1.7e-3 * size
+
+
+def test_a_jump_of_the_rate_tilts_by_what_a_gyro_feels_of_it(monkeypatch):
+    """No error of the book is such, so one stands in here: a gyro that lags by its constant."""
+    name = "gyro scale-factor asymmetry"
+    lag = TERMS[name]._replace(effect=lambda times, angle, velocity, change: change)
+    monkeypatch.setattr(error_dynamics, "TERMS", {name: lag})
+    way = linearize_along(Scheme("+90Z", dwell=2.0), LATITUDE, AVERAGED.with_states(name))
+    whole, tilts = np.eye(30), []
+    for _, steps in way.segments:
+        for matrix in way.transitions[steps]:
+            whole = matrix @ whole
+        tilts.append(whole[:3, 27:])
+    rate = np.diag([0.0, 0.0, -way.segments[1][0].rate])
+    # The Earth turns by a milliradian in the 13 s.
+    for found, expected in zip(tilts, (0 * rate, rate, 0 * rate), strict=True):
+        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-3 * np.abs(rate).max())
 
 
 def test_states_that_are_known_to_be_zero_change_nothing():

@@ -528,7 +528,8 @@ def _jumps(model: ErrorModel, row: list[Segment]) -> FloatArray:
     attitude = to_matrix(np.array([segment.attitude for segment in row]))
     jumps = np.broadcast_to(np.eye(model.size), (len(row), model.size, model.size)).copy()
     still, at_once = np.zeros_like(change), np.ones(len(row))
-    _, pushes = _higher_order_effects(model.higher_order, at_once, still, still, change)
+    tilts, pushes = _higher_order_effects(model.higher_order, at_once, still, still, change)
+    jumps[:, :3, model.triad_states :] = -attitude @ tilts
     jumps[:, 3:6, model.triad_states :] = attitude @ pushes
     return jumps
 
