@@ -10,10 +10,10 @@ from typing import Any
 import pytest
 
 from driftlab.book import figures
-from driftlab.book.__main__ import write_gallery
+from driftlab.book.__main__ import figures_that_begin, write_figures_on, write_gallery
 from driftlab.book.machinery.figure.csv_table import as_words, numbers, read_table
 from driftlab.book.machinery.figure.data_table import DataTable
-from driftlab.book.machinery.figure.publish import PublishedFigure, gallery
+from driftlab.book.machinery.figure.publish import PublishedFigure, captions_in, gallery
 from driftlab.book.machinery.figure.table_differences import table_differences
 from driftlab.recordings.publishers import RecordingUnavailable
 from published import NAMES, published
@@ -23,8 +23,7 @@ PUBLISHED = Path(__file__).parents[2] / "figures"
 
 def published_captions() -> dict[str, str]:
     """Captions below the figures of the published gallery, by name."""
-    page = (PUBLISHED / "README.md").read_text(encoding="utf-8")
-    return dict(re.findall(r"^\*\*(\S+)\.\*\* (.*)$", page, re.MULTILINE))
+    return captions_in((PUBLISHED / "README.md").read_text(encoding="utf-8"))
 
 
 @published(*NAMES)
@@ -115,6 +114,15 @@ def test_a_rebuild_writes_every_entry_the_gallery_and_larins_numbers(tmp_path: P
             title: written[title] if each is None else each for title, each in values.items()
         }
         assert_same_table(PUBLISHED / name, computed)
+
+
+def test_one_figure_brings_its_caption_into_the_gallery(tmp_path: Path) -> None:
+    page = tmp_path / "README.md"
+    page.write_text(gallery({"05-cayley-map": "Another caption."}), encoding="utf-8")
+    write_figures_on(tmp_path, figures_that_begin(["00-frames"]), 1, None, None)
+    captions = captions_in(page.read_text(encoding="utf-8"))
+    assert list(captions) == ["00-frames", "05-cayley-map"]
+    assert captions["05-cayley-map"] == "Another caption."
 
 
 def test_without_its_recording_a_figure_is_restored_and_its_files_are_kept(

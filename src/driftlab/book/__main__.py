@@ -22,7 +22,7 @@ from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, ex
 from .errata import errata
 from .figures import figure_definitions, measured, not_at_hand, published_paths
 from .machinery.figure.csv_table import as_words, write_table
-from .machinery.figure.publish import FigureDefinition, PublishedFigure, gallery
+from .machinery.figure.publish import FigureDefinition, PublishedFigure, captions_in, gallery
 from .machinery.figure.table_differences import Difference, folder_differences
 
 PROJECT = Path(__file__).parents[3]
@@ -41,8 +41,12 @@ LARIN_NOTE = [
 def write_gallery(folder: Path, definitions: Mapping[str, FigureDefinition]) -> None:
     """Write figures, their numbers and the page that shows them; print Larin's numbers."""
     captions = write_figures(folder, definitions)
-    (folder / "README.md").write_text(gallery(captions), encoding="utf-8", newline="\n")
+    _write_page(folder, captions)
     write_larin_numbers(folder)
+
+
+def _write_page(folder: Path, captions: Mapping[str, str]) -> None:
+    (folder / "README.md").write_text(gallery(captions), encoding="utf-8", newline="\n")
 
 
 def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition]) -> dict[str, str]:
@@ -102,7 +106,13 @@ def write_figures_on(
         if chosen is None:
             write_gallery(folder, figure_definitions())
             return
-        write_figures(folder, {name: each for name, each in chosen.items() if each is not None})
+        figures = {name: each for name, each in chosen.items() if each is not None}
+        captions = write_figures(folder, figures)
+        if (page := folder / "README.md").is_file():  # those of the other figures stay
+            captions = captions_in(page.read_text(encoding="utf-8")) | captions
+            _write_page(
+                folder, {name: captions[name] for name in figure_definitions() if name in captions}
+            )
         if LARIN_NUMBERS in chosen:
             write_larin_numbers(folder)
 

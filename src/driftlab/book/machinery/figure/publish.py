@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import html
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -135,10 +136,13 @@ class PublishedFigure:
         return path
 
     def write(self, folder: Path) -> None:
-        """Write the picture as SVG and, if it shows any, its numbers as CSV."""
-        (folder / f"{self.definition.name}.svg").write_bytes(self.svg())
+        """Write the picture as SVG and, if it shows any, its numbers as CSV.
+
+        The CSV comes first, so that a curve that is not in the table leaves no file behind.
+        """
         if self.definition.columns:
             self._write_table(folder / f"{self.definition.name}.csv")
+        (folder / f"{self.definition.name}.svg").write_bytes(self.svg())
 
     def comments(self) -> list[str]:
         """Return the lines above the numbers: what they are, of what parameters, what is drawn."""
@@ -182,6 +186,11 @@ def call_of(definition: FigureDefinition, parameters: Mapping[str, Any]) -> str:
 def _own(definition: FigureDefinition, parameters: Mapping[str, Any]) -> dict[str, Any]:
     published = definition.parameters
     return {n: v for n, v in parameters.items() if written(v) != written(published[n])}
+
+
+def captions_in(page: str) -> dict[str, str]:
+    """Return the captions of a `gallery` by the names of the figures."""
+    return dict(re.findall(r"^\*\*(\S+)\.\*\* (.*)$", page, re.MULTILINE))
 
 
 def gallery(captions: Mapping[str, str]) -> str:
