@@ -86,13 +86,20 @@ def test_a_table_can_be_sent_to_another_process() -> None:
     [
         ({"a": ([1.0], "furlong")}, {}, "a: expected a unit of .* got 'furlong'"),
         ({"a": ([1.0],)}, {"a": (1.0,)}, "columns: expected other names than the facts', got 'a'"),
-        ({"heading": ([1.0],)}, {}, "heading: expected a name that is no method of a table's"),
+        ({"heading": ([1.0],)}, {}, "heading: expected another name; a table has a method"),
+        ({"a": [1.0]}, {}, r"a: expected a tuple \(values, unit, meaning\), got list"),
+        ({"a": (np.ones((2, 3)),)}, {}, "a: expected one column for a CSV, or several with names"),
+        (
+            {"a": (np.ones(3), "", "", ("x", "y"))},
+            {},
+            r"a: expected rows with the names \['x', 'y'",
+        ),
         ({"a": ({"of #1": [1.0]},)}, {}, "a, of #1: expected a name without"),
     ],
 )
 def test_what_no_csv_can_hold_is_refused(columns: dict, facts: dict, said: str) -> None:
     with pytest.raises(ValueError, match=said):
-        DataTable(columns, facts)
+        DataTable(columns, facts).columns()
 
 
 def test_a_name_that_is_not_there_is_answered_with_those_that_are() -> None:

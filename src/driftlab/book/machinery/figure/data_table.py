@@ -77,8 +77,19 @@ class DataTable:
     """Columns, which a CSV holds and pictures draw, and facts, which stand beside them.
 
     Values are attributes, in SI units and radians: ``table.heading_error``. Columns may be of
-    different lengths. Several in one, a mapping or an array with names, are the columns
-    ``"drift, picard-3"``, ``"drift, steady turn, picard-3"``.
+    different lengths. An entry may hold several columns, as a mapping or an array with names; their
+    titles are ``"drift, picard-3"``, ``"drift, steady turn, picard-3"``. The head of a CSV lists
+    those facts that are one number or words.
+
+    >>> table = DataTable(
+    ...     {"time": (np.array([0.0, 3600.0]), "h", "since the start"),
+    ...      "drift": (np.radians([[0, 1], [0, 2]]), "deg", "of each gyro", ("x", "y"))},
+    ...     {"rate": (np.radians(1 / 3600), "deg_per_h", "of gyro x")},
+    ... )
+    >>> list(table.columns())
+    ['time_h', 'drift_deg, x', 'drift_deg, y']
+    >>> table.shown("drift, y").round(9), table.row("rate")
+    (array([0., 2.]), ('of gyro x', '1°/h'))
     """
 
     def __init__(
@@ -90,12 +101,20 @@ class DataTable:
         facts = facts or {}
         if both := {*columns} & {*facts}:
             raise ValueError(f"columns: expected other names than the facts', got {min(both)!r}.")
+        for name, each in {**columns, **facts}.items():
+            if not isinstance(each, tuple):
+                raise ValueError(
+                    f"{name}: expected a tuple (values, unit, meaning), got {type(each).__name__}."
+                )
         self._entries = {name: Entry(*each) for name, each in {**columns, **facts}.items()}
         for name, entry in self._entries.items():
             if hasattr(type(self), name):
-                raise ValueError(f"{name}: expected a name that is no method of a table's.")
+                raise ValueError(f"{name}: expected another name; a table has a method so named.")
             if entry.unit not in UNITS:
-                raise ValueError(f"{name}: expected a unit of {[*UNITS]}, got {entry.unit!r}.")
+                raise ValueError(
+                    f"{name}: expected a unit of {[*UNITS]}, the second of (values, unit, "
+                    f"meaning), got {entry.unit!r}."
+                )
         self._facts = tuple(facts)
         self._columns: dict[str, tuple[str, Any]] = {
             title: (name, values)
@@ -150,6 +169,11 @@ class DataTable:
         found = {}
         for title, (name, _) in self._columns.items():
             decimals, values = self._entries[name].decimals, self.shown(title)
+            if np.ndim(values) > 1:
+                raise ValueError(
+                    f"{title}: expected one column for a CSV, or several with names, got shape "
+                    f"{np.shape(values)}."
+                )
             # Rounding leaves no negative zero.
             rounded = values if decimals is None else np.round(values, decimals) + 0.0
             found[self.heading(title)] = rounded
@@ -157,7 +181,10 @@ class DataTable:
 
     def words(self, name: str, form: str = ".3g") -> str:
         """Return a fact as words with its unit: ``"3.142′"``."""
-        return f"{float(self.shown(name)):{form}}{UNITS[self.entry(name).unit][1]}"
+        values = self.shown(name)
+        if np.size(values) != 1 or isinstance(values, str):
+            raise ValueError(f"{name}: expected one number to show in words, got {values!r}.")
+        return f"{float(values):{form}}{UNITS[self.entry(name).unit][1]}"
 
     def row(self, name: str, form: str = ".3g") -> tuple[str, str]:
         """Return a fact's meaning and the fact in words: a row of the table beside a panel."""
@@ -246,6 +273,9 @@ def _single(name: str, entry: Entry) -> Iterator[tuple[str, Any]]:
     elif entry.names:
         several = [entry.names] if isinstance(entry.names[0], str) else entry.names
         words = [", ".join(each) for each in product(*several)]
+        shape = np.shape(entry.values)
+        if np.prod(shape) % len(words):
+            raise ValueError(f"{name}: expected rows with the names {words}, got shape {shape}.")
         rows = np.reshape(entry.values, (len(words), -1))
         for word, values in zip(words, rows, strict=True):
             yield f"{name}, {word}", values

@@ -241,10 +241,12 @@ class Drawing:
         lines = []
         for number, axes in enumerate(panels(self.figure), 1):
             if strange := self._strange(axes):
+                label = str(strange.get_label())
+                named = "" if label.startswith("_") else f" {label!r}"  # Matplotlib's own: _child2
                 raise MissingCurves(
-                    f"panel {number}: expected all curves drawn from the table, got a "
-                    f"{type(strange).__name__} {strange.get_label()!r}. "
-                    "Draw it by a method of Drawing, or label it GUIDE if it only guides the eye."
+                    f"panel {number}{_title(axes)}: expected all curves drawn from the table, got "
+                    f"a {type(strange).__name__}{named} that is not. Draw it by a method of "
+                    "Drawing, or give it label=GUIDE if it only guides the eye."
                 )
             own = [each for each in self.drawn if each.axes is axes]
             says = nature(axes) or axis_words(axes)
@@ -280,9 +282,10 @@ class Drawing:
                 if isinstance(place, str) and not self.table.is_fact(place):
                     parts += [f"{axis} = {self._heading(place)}"] if place else []
                 elif not counts_words(getattr(drawn.axes, f"{axis}axis")):
+                    got = f"the fact {place}" if isinstance(place, str) else "places"
                     raise MissingCurves(
-                        f"{self._label(drawn)}: expected a column along {axis}, got places, which "
-                        "only an axis that counts words has."
+                        f"{self._label(drawn)}: expected a column along {axis}, got {got}; only an "
+                        "axis that counts words (set_yticks(rows, words)) takes places."
                     )
             parts += [f"value = {self._heading(rows.value)}"] if rows.value else []
             where = rows.where or {}
