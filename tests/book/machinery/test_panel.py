@@ -206,6 +206,13 @@ def test_what_a_panel_shows_is_saved(tmp_path: Path, ending: str, begins: bytes)
         assert picture_width(panel.save(path)) == 100 * panel.picture_class.size[0]
 
 
+def test_a_slider_of_whole_numbers_refuses_a_fraction() -> None:
+    control = Control("turns", "turns k", 5, 1, 20, 1)
+    control.check(2.0)
+    with pytest.raises(ValueError, match=r"^turns: expected a whole number from 1 to 20, got 2.5"):
+        control.check(2.5)
+
+
 def picture_width(path: Path) -> int:
     """Width of a picture in pixels."""
     with Image.open(path) as picture:

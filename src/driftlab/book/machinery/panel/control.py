@@ -89,7 +89,10 @@ class Control:
         elif self.examples:
             if not isinstance(value, str):
                 raise ValueError(f"{self.name}: expected text, got {value!r}.")
-        elif not self.low <= finite_array(value, self.name) <= self.high:
-            raise ValueError(
-                f"{self.name}: expected a number from {self.low} to {self.high}, got {value!r}."
-            )
+        else:
+            whole = isinstance(self.start, int)
+            if not self.low <= finite_array(value, self.name) <= self.high or (whole and value % 1):
+                raise ValueError(
+                    f"{self.name}: expected a {'whole ' * whole}number from {self.low} to "
+                    f"{self.high}, got {value!r}."
+                )
