@@ -123,6 +123,10 @@ def diagnose(found: Calibration | FilterFailure) -> Diagnosis:
     take several times as long as the calibration. A mistake is named if nothing contradicts the
     record without it.
 
+    "axes of the gyros alone: y, z, x would be right" means that the column now called y holds the
+    gyro of axis x, and so on: use ``angle[:, [1, 2, 0]]`` instead of ``angle``, with a minus where
+    the answer has one. For accelerometers the same holds of ``velocity``, for the log of both.
+
     Examples
     --------
     Rates in rad/s, where the filter expects increments in rad:

@@ -219,7 +219,8 @@ def _doubts(found: AtRest) -> Iterator[str]:
         yield (
             "the gyros' rates differ from the Earth's by more than noise explains. Do not trust "
             f"the heading {least}: two rates tell little of the drift of a third, and its "
-            f"error exceeds {WITHIN} deviations once in twenty times."
+            f"error exceeds {WITHIN} deviations once in twenty times. Gyros with biases, or in "
+            "another order or with other signs than the accelerometers, look like this."
         )
     pull = told.gravity
     if pull is None and told.latitude is not None:

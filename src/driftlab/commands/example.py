@@ -137,6 +137,7 @@ def findings(record: Recording) -> Findings:
         (
             f"The unit lies still for {REST:g} s, is turned {len(TURNS)} times by hand with rests "
             "between, and comes back. Columns: time t, s; rates gx, gy, gz, deg/s; forces ax, ay, "
-            "az, g; body axes forward, right, down.",
+            "az, g; body axes forward, right, down. The help of each other command ends with an "
+            "example for this log: python -m driftlab calibrate --help.",
         ),
     )

@@ -232,7 +232,7 @@ def _triads(options: argparse.Namespace) -> tuple[tuple[str, ...], tuple[str, ..
     if gyro is None:
         raise ValueError(
             "--columns: expected the columns of the log, three gyros and then three "
-            "accelerometers, by name or number, got none."
+            "accelerometers, by name or number, got none; --help ends with an example."
         )
     for option, triad in (("--gyro", gyro), ("--accelerometer", accelerometer)):
         if triad is not None and len(triad) != 3:
