@@ -66,7 +66,7 @@ def table_differences(first: Words, second: Words) -> list[Difference]:
 
 
 def _unit(name: str) -> str:
-    """Unit of a column, by its name: "arcmin" of "swing_arcmin" and of "cone_arcmin, exact"."""
+    """Unit of a column, by its name: "arcmin" of "angle_arcmin" and of "angle_arcmin, swing"."""
     return name.split(",")[0].rpartition("_")[2]
 
 
