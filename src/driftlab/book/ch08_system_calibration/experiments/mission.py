@@ -50,7 +50,7 @@ def mission(causes: Sequence[float], latitude: float, duration: float) -> DataTa
             "end": (position[-1:].T, "nmi", "position error at the end", axes),
         },
         {
-            "heading": (heading[-1], "arcmin", "heading error at the end"),
+            "heading_error": (heading[-1], "arcmin", "heading error at the end"),
             "rate": (rate, "m_per_s", "slope of the line from the start that fits the distance"),
             "causes": ([SETTABLE[i] for i in shown], "", "that are not zero"),
             # of each of them: the distance at the end, how far a line leads in a day, and the

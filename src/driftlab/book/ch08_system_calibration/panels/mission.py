@@ -102,7 +102,11 @@ class MissionExplorer(Explorer):
 
     def numbers(self, table: DataTable) -> Results:
         (east,), (north,) = table.shown("end")
-        ends = ("East, nmi", east), ("North, nmi", north), ("heading, ′", table.shown("heading"))
+        ends = (
+            ("East, nmi", east),
+            ("North, nmi", north),
+            ("heading, ′", table.shown("heading_error")),
+        )
         rows: list[tuple[str, ...]] = [(name, f"{value:.2f}", "", "", "") for name, value in ends]
         for name, sizes in zip(table.causes, table.shown("parts"), strict=True):
             rows.append((name, *(f"{size:.2f}" for size in sizes)))
