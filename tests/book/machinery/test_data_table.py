@@ -1,12 +1,13 @@
 """Tables of experiments: units, headings, and a table that is read again from its CSV."""
 
 import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.constants import arcminute, degree, hour
 
-from driftlab.book.machinery.figure.csv_table import as_words
+from driftlab.book.machinery.figure.csv_table import as_words, read_table, write_table
 from driftlab.book.machinery.figure.data_table import KEPT, UNITS, DataTable
 
 TABLE = DataTable(
@@ -76,6 +77,29 @@ def test_a_table_is_read_again_from_its_csv() -> None:
     assert again.row("per_turn", ".3f") == TABLE.row("per_turn", ".3f")
 
 
+@pytest.mark.parametrize(
+    "values",
+    [
+        ([1.0, np.nan, np.nan],),
+        ([np.inf, -0.0, np.nan], "deg"),
+        ([[1.0, np.nan], [np.nan, np.nan]], "ppm", "", ["a", "b"]),
+        ({"a": [np.nan], "b": [1.0, 2.0]},),
+        ([],),
+        (["1", "2"],),
+        (["a, b", "", ""],),
+    ],
+)
+def test_gaps_at_the_end_and_numbers_as_words_are_read_again(values: tuple, tmp_path: Path) -> None:
+    table = DataTable({"x": values}, {"point": (np.array(3.0),)})
+    write_table(tmp_path / "x.csv", as_words(table.columns()), [KEPT + table.as_json()])
+    again = DataTable.of_csv(*read_table(tmp_path / "x.csv"))
+    np.testing.assert_equal(again.point, 3.0)
+    titles = [heading.replace("_deg", "").replace("_ppm", "") for heading in table.columns()]
+    for title in titles:
+        found, expected = (np.asarray(each.shown(title)) for each in (again, table))
+        np.testing.assert_array_equal(found, expected)
+
+
 def test_a_table_can_be_sent_to_another_process() -> None:
     again = pickle.loads(pickle.dumps(TABLE))
     assert as_words(again.columns()) == as_words(TABLE.columns())
@@ -94,6 +118,8 @@ def test_a_table_can_be_sent_to_another_process() -> None:
             {},
             r"a: expected rows with the names \['x', 'y'",
         ),
+        ({"a": ([1.0], "deg"), "a_deg": ([1.0],)}, {}, "columns: expected other headings for"),
+        ({"a": ([[1.0], [2.0]], "", "", ["b", "b"])}, {}, "columns: expected other headings for"),
         ({"a": ({"of #1": [1.0]},)}, {}, "a, of #1: expected a name without"),
     ],
 )

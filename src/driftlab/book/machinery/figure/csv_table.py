@@ -58,7 +58,6 @@ def read_table(path: Path) -> tuple[list[str], dict[str, list[str]]]:
     lines = path.read_text(encoding="utf-8").splitlines(keepends=True)
     count = next(i for i, line in enumerate(lines) if not line.startswith("#"))
     titles, *rows = csv.reader(lines[count:])
-    columns = {
-        title: list(column) for title, column in zip(titles, zip(*rows, strict=True), strict=True)
-    }
-    return [line[2:].rstrip("\n") for line in lines[:count]], columns
+    columns = zip(*rows, strict=True) if rows else [()] * len(titles)
+    found = {title: list(column) for title, column in zip(titles, columns, strict=True)}
+    return [line[2:].rstrip("\n") for line in lines[:count]], found

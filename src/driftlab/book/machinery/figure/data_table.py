@@ -16,6 +16,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.constants import arcminute, arcsecond, degree, g, hour, micro, milli, minute
 
+from .csv_table import numbers
+
 UNITS: dict[str, tuple[float, str]] = {
     "": (1.0, ""),
     "1e-3": (milli, "e-3"),
@@ -51,6 +53,10 @@ UNITS: dict[str, tuple[float, str]] = {
 
 KEPT = "read again from: "
 """How the line of a CSV begins from which, with its columns, a table is read again."""
+
+
+FACT = "fact "
+"""How the name of a fact begins where it is compared like a column."""
 
 
 class Entry(NamedTuple):
@@ -116,11 +122,10 @@ class DataTable:
                     f"meaning), got {entry.unit!r}."
                 )
         self._facts = tuple(facts)
-        self._columns: dict[str, tuple[str, Any]] = {
-            title: (name, values)
-            for name in columns
-            for title, values in _single(name, self._entries[name])
-        }
+        single = [(n, *each) for n in columns for each in _single(n, self._entries[n])]
+        self._columns: dict[str, tuple[str, Any]] = {t: (n, values) for n, t, values in single}
+        if len({self.heading(title) for title in self._columns}) < len(single):
+            raise ValueError(f"columns: expected other headings for each, got {[*self._columns]}.")
         for title in self._columns:
             if re.search(r'[#"\r\n]', title):
                 raise ValueError(
@@ -218,9 +223,17 @@ class DataTable:
             if name in self._facts:
                 kept["facts"][name] = {"values": _plain(entry.values), **about}
                 continue
-            headings = {t: self.heading(t) for t, (of, _) in self._columns.items() if of == name}
+            own = {t: values for t, (of, values) in self._columns.items() if of == name}
+            headings = {title: self.heading(title) for title in own}
             shape = None if isinstance(entry.values, Mapping) else _names_shape(entry.names)
             kept["columns"][name] = {"headings": headings, "shape": shape, **about}
+            # What the words of a CSV do not tell.
+            if ends := {t: len(v) for t, v in own.items() if len(v) and str(v[-1]) in ("", "nan")}:
+                kept["columns"][name]["rows"] = ends
+            if any(
+                isinstance(v[0], str) and numbers(v) is not None for v in own.values() if len(v)
+            ):
+                kept["columns"][name]["words"] = True
         return json.dumps(kept, ensure_ascii=False)
 
     @classmethod
@@ -229,19 +242,22 @@ class DataTable:
         (line,) = (line for line in comments if line.startswith(KEPT))
         kept = json.loads(line.removeprefix(KEPT))
         columns = {}
-        for name, (headings, shape, unit, meaning) in _values(kept["columns"]):
+        for name, each in kept["columns"].items():
+            shape, unit, rows = each["shape"], each["unit"], each.get("rows", {})
             single = {
-                title.removeprefix(f"{name}, "): _from_words(words[heading], unit)
-                for title, heading in headings.items()
+                title.removeprefix(f"{name}, "): _from_words(
+                    words[heading], unit, rows.get(title, 0), "words" in each
+                )
+                for title, heading in each["headings"].items()
             }
             values: Any = single
             if shape is not None:
                 values = [*single.values()] if shape else single[name]
                 values = np.reshape(values, (*shape, -1)) if shape else values
-            columns[name] = (values, unit, meaning, [*single] if shape else ())
+            columns[name] = (values, unit, each["meaning"], [*single] if shape else ())
         facts = {
-            name: (_arrays(values), unit, meaning)
-            for name, (values, unit, meaning) in _values(kept["facts"])
+            name: (_arrays(each["values"]), each["unit"], each["meaning"])
+            for name, each in kept["facts"].items()
         }
         return cls(columns, facts)
 
@@ -250,7 +266,7 @@ def facts_in(comments: Iterable[str]) -> dict[str, list[str]]:
     """Return the facts in the head of a CSV by name, each as the words of its numbers."""
     lines = [line.removeprefix(KEPT) for line in comments if line.startswith(KEPT)]
     kept = json.loads(lines[0])["facts"] if lines else {}
-    return {f"fact {name}": _words(fact["values"]) for name, fact in kept.items()}
+    return {f"{FACT}{name}": _words(fact["values"]) for name, fact in kept.items()}
 
 
 def _words(values: Any) -> list[str]:
@@ -258,11 +274,6 @@ def _words(values: Any) -> list[str]:
         inner = values.values() if isinstance(values, dict) else values
         return [word for each in inner for word in _words(each)]
     return ["" if values is None else str(values)]
-
-
-def _values(entries: Mapping[str, Mapping[str, Any]]) -> Iterator[tuple[str, tuple[Any, ...]]]:
-    for name, entry in entries.items():
-        yield name, tuple(entry.values())
 
 
 def _single(name: str, entry: Entry) -> Iterator[tuple[str, Any]]:
@@ -289,24 +300,27 @@ def _names_shape(names: Sequence[Any]) -> list[int]:
     return [len(names)] if isinstance(names[0], str) else [len(each) for each in names]
 
 
-def _from_words(words: Sequence[str], unit: str) -> Any:
-    """A column from a CSV, in SI units and radians; what is empty below its last value is cut."""
+def _from_words(words: Sequence[str], unit: str, rows: int, are_words: bool) -> Any:
+    """A column from a CSV, in SI units and radians, of so many rows at least; what is empty below
+    its last value is cut."""
     count = max((i + 1 for i, word in enumerate(words) if word), default=0)
-    try:
-        numbers = np.array([float(word or "nan") for word in words[:count]])
-    except ValueError:
-        return list(words[:count])
-    return np.radians(numbers) if unit == "deg" else UNITS[unit][0] * numbers
+    own = list(words[: max(count, rows)])
+    values = None if are_words else numbers(own)
+    if values is None:
+        return own
+    return np.radians(values) if unit == "deg" else UNITS[unit][0] * values
 
 
 def _plain(values: Any) -> Any:
     """Values as JSON has them, numbers to the digits of a CSV."""
+    if isinstance(values, np.ndarray | np.generic):
+        return _plain(values.tolist())
     if isinstance(values, Mapping):
         return {name: _plain(each) for name, each in values.items()}
-    if isinstance(values, np.ndarray | list | tuple):
+    if isinstance(values, list | tuple):
         return [_plain(each) for each in values]
-    if values is None or isinstance(values, str | bool | int | np.bool_ | np.integer):
-        return values.item() if isinstance(values, np.generic) else values
+    if values is None or isinstance(values, str | bool | int):
+        return values
     return float(f"{values:.12g}")
 
 

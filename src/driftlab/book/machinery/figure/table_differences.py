@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .csv_table import Words, numbers, read_table
-from .data_table import facts_in
+from .data_table import FACT, facts_in
 
 ROUNDING = 1e-7
 """Numbers are the same, but for rounding, to this of themselves or of their curve's largest."""
@@ -60,7 +60,7 @@ def table_differences(first: Words, second: Words) -> list[Difference]:
             same_unit = [first[each] for each in first if _unit(each) == _unit(name)]
             residue = RESIDUE * max(1.0, *map(_largest, same_unit))
             own = curves if len(curves) == len(column) else np.full(len(column), "")
-            largest, allowed = _size(column, other, own, residue)
+            largest, allowed = _size(column, other, own, residue, name.startswith(FACT))
             found.append(Difference(name, count, len(column), largest, allowed))
     return found
 
@@ -77,7 +77,7 @@ def _largest(column: list[str]) -> float:
 
 
 def _size(
-    first: list[str], second: list[str], curves: np.ndarray, residue: float
+    first: list[str], second: list[str], curves: np.ndarray, residue: float, fact: bool
 ) -> tuple[float, bool]:
     """Largest difference, curve by curve in units of its largest number, and if it is rounding."""
     here, there = numbers(first), numbers(second)
@@ -89,7 +89,8 @@ def _size(
     if np.any((np.array(first) != np.array(second)) & ~finite):
         return np.inf, False
     largest, allowed = 0.0, True
-    last_digit = 2 * min(rounding(first), rounding(second))
+    # A fact is written to all its digits, however few they are.
+    last_digit = 0.0 if fact else 2 * min(rounding(first), rounding(second))
     for curve in np.unique(curves):
         a, b = (values[(curves == curve) & finite] for values in (here, there))
         if a.size:
