@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Circle
 
 from driftlab.book.machinery.figure.data_table import DataTable
@@ -148,11 +149,26 @@ def test_panels_have_titles_and_insets_and_drawings_have_no_curves() -> None:
         lambda a: a.pcolormesh(np.eye(2)),
         lambda a: a.imshow(np.eye(2)),
         lambda a: a.inset_axes((0, 0, 1, 1)).plot([0, 1]),
+        lambda a: a.twinx().plot([0, 1]),
+        lambda a: a.figure.add_artist(Line2D([0, 1], [0, 1])),
     ],
 )
 def test_what_is_drawn_past_the_table_is_refused(draw: Callable[[Axes], object]) -> None:
     with pytest.raises(MissingCurves, match="expected all curves drawn from the table, got"):
         drawn_by(lambda _, axes: draw(axes)).header()
+
+
+@pytest.mark.parametrize("change", [lambda e: e.set_data([0, 1], [2, 3]), lambda e: e.remove()])
+def test_a_curve_stays_as_it_was_drawn(change: Callable[[Line2D], object]) -> None:
+    drawing = drawn_by(lambda d, a: change(d.curve(a, "time", "error", label="e")))
+    with pytest.raises(MissingCurves, match='"e": expected the columns that were drawn'):
+        drawing.header()
+
+
+@pytest.mark.parametrize("every", [0, -2])
+def test_rows_are_thinned_forwards(every: int) -> None:
+    with pytest.raises(ValueError, match=f"every: expected at least 1, got {every}"):
+        drawn_by(lambda d, a: d.curve(a, "time", "error", every=every))
 
 
 def test_guides_words_and_samples_of_a_legend_need_no_column() -> None:
@@ -178,6 +194,11 @@ class ErrorPicture(Picture):
     def build(self) -> None:
         self.figure = Figure()
         self.curve(self.figure.subplots(), "time", "error", every="often", label="error")
+
+
+def test_a_picture_draws_what_it_can_move() -> None:
+    with pytest.raises(ValueError, match=r"expected one that draws a line, .* got 'scatter'"):
+        Picture.curve(ErrorPicture(), Figure().subplots(), "time", "error", method="scatter")
 
 
 def test_a_picture_moves_with_its_table() -> None:

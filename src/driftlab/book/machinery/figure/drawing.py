@@ -78,7 +78,7 @@ class Drawing:
         self._table, self.sheet = table, sheet
         self.figure = Figure()
         self.drawn: list[Drawn] = []
-        self._known: set[int] = set()  # identities of the artists drawn from the table
+        self._known: set[Artist] = set()  # drawn from the table
 
     @property
     def table(self) -> DataTable:
@@ -111,6 +111,8 @@ class Drawing:
         points = ([], []) if self._table is None else self._values(rows)
         artist = getattr(axes, method)(*points, **style)
         (artist,) = artist if isinstance(artist, list) else (artist,)
+        if self._table is None and not isinstance(artist, Line2D):
+            raise ValueError(f"method: expected one that draws a line, to move it, got {method!r}.")
         return self.record(axes, artist, [rows], artist if isinstance(artist, Line2D) else None)
 
     def error_bars(
@@ -181,7 +183,7 @@ class Drawing:
         rows = [Rows(each, "") if along == "x" else Rows("", each) for each in (begin, end)]
         draw = axes.axvspan if along == "x" else axes.axhspan
         for first, last in zip(*(self.table.shown(each) for each in (begin, end)), strict=True):
-            self._known.add(id(draw(first, last, **style)))
+            self._known.add(draw(first, last, **style))
         self.drawn.append(Drawn(axes, style.get("label", ""), rows))
 
     def distribution(self, axes: Axes, values: str, **style: Any) -> Line2D:
@@ -196,7 +198,7 @@ class Drawing:
         values = np.reshape(self.table.shown(z), (len(up), len(across)))
         filled = axes.contourf(across, up, values, **style)
         self.drawn.append(Drawn(axes, "", [Rows(x, y, value=z)]))
-        self._known.add(id(filled))
+        self._known.add(filled)
         return filled
 
     def show(self, table: DataTable) -> None:
@@ -224,12 +226,15 @@ class Drawing:
         return values[:: self._every(rows)]
 
     def _every(self, rows: Rows) -> int:
-        return int(self.table.shown(rows.every)) if isinstance(rows.every, str) else rows.every
+        every = int(self.table.shown(rows.every)) if isinstance(rows.every, str) else rows.every
+        if every < 1:
+            raise ValueError(f"every: expected at least 1, got {every}.")
+        return every
 
     def record(self, axes: Axes, artist: Any, rows: Sequence[Rows], line: Any = None) -> Any:
         """Keep what an artist shows that was drawn from the table; for what has no method here."""
         parts = artist.get_children() if isinstance(artist, Container) else [artist]
-        self._known |= {id(each) for each in (artist, *parts)}
+        self._known.update(parts)
         self.drawn.append(Drawn(axes, str(artist.get_label() or ""), rows, line))
         return artist
 
@@ -238,16 +243,11 @@ class Drawing:
 
         MissingCurves is raised if something is drawn that is not in the table.
         """
-        lines = []
+        lines: list[str] = []
+        self._refuse_strange("figure", self.figure)
         for number, axes in enumerate(panels(self.figure), 1):
-            if strange := self._strange(axes):
-                label = str(strange.get_label())
-                named = "" if label.startswith("_") else f" {label!r}"  # Matplotlib's own: _child2
-                raise MissingCurves(
-                    f"panel {number}{_title(axes)}: expected all curves drawn from the table, got "
-                    f"a {type(strange).__name__}{named} that is not. Draw it by a method of "
-                    "Drawing, or give it label=GUIDE if it only guides the eye."
-                )
+            if axes.axison:
+                self._refuse_strange(f"panel {number}{_title(axes)}", axes)
             own = [each for each in self.drawn if each.axes is axes]
             says = nature(axes) or axis_words(axes)
             lines.append(f"panel {number}{_title(axes)}: {says}".rstrip())
@@ -258,16 +258,30 @@ class Drawing:
                 lines += dict.fromkeys(curves)  # several curves may be made of the same rows
         return lines
 
-    def _strange(self, axes: Axes) -> Artist | None:
-        """Return what is drawn past the table, if anything is."""
-        for artist in axes.get_children() if axes.axison else []:
+    def _refuse_strange(self, name: str, parent: Axes | Figure) -> None:
+        """Refuse what is drawn past the table on a panel, or on the figure itself."""
+        for artist in parent.get_children():
             furniture = isinstance(artist, Text | Axis | Spine | Legend | Axes)
             # A sample for the legend has no points.
             sample = isinstance(artist, Line2D) and not len(np.atleast_1d(artist.get_xdata()))
-            left_out = furniture or sample or artist is axes.patch or not artist.get_visible()
-            if not left_out and id(artist) not in self._known and artist.get_label() != GUIDE:
-                return artist
-        return None
+            left_out = furniture or sample or artist is parent.patch or not artist.get_visible()
+            if not left_out and artist not in self._known and artist.get_label() != GUIDE:
+                label = str(artist.get_label())
+                named = "" if label.startswith("_") else f" {label!r}"  # Matplotlib's own: _child2
+                raise MissingCurves(
+                    f"{name}: expected all curves drawn from the table, got "
+                    f"a {type(artist).__name__}{named} that is not. Draw it by a method of "
+                    "Drawing, or give it label=GUIDE if it only guides the eye."
+                )
+
+    def _check(self, drawn: Drawn) -> None:
+        """Refuse a curve that is no longer what was drawn."""
+        if drawn.line is not None:
+            rows = drawn.rows[0]
+            places = zip((rows.x, rows.y), drawn.line.get_data(), self._values(rows), strict=True)
+            same = [np.array_equal(a, b, True) for place, a, b in places if isinstance(place, str)]
+            if drawn.line.axes is None or not all(same):
+                raise MissingCurves(f"{self._label(drawn)}: expected the columns that were drawn.")
 
     def _label(self, drawn: Drawn) -> str:
         if drawn.rows[0].value:
@@ -276,6 +290,7 @@ class Drawing:
         return f'"{"" if label.startswith("_") else one_line(label)}"'
 
     def _lines(self, drawn: Drawn) -> Iterator[str]:
+        self._check(drawn)
         for rows in drawn.rows:
             parts = []
             for axis, place in (("x", rows.x), ("y", rows.y)):
