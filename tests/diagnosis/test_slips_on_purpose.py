@@ -112,17 +112,36 @@ SLIPS = {
 NAMES = list(RECORDS)
 
 
+def calibrated(run):
+    """What the filter found, or how it failed."""
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore", InconsistentWarning)
+        try:
+            return calibrate(**run)
+        except FilterFailure as failure:
+            return failure
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("slip", "place"), [(slip, k) for k, slip in enumerate(SLIPS)])
 def test_slip_is_named(slip, place):
     change, words = SLIPS[slip]
     run = told(NAMES[place % 3], noisy=place % 2 == 0)
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore", InconsistentWarning)
-        try:
-            found = calibrate(**change(run))
-        except FilterFailure as failure:
-            found = failure
-    sentence = str(diagnose(found))
+    sentence = str(diagnose(calibrated(change(run))))
     assert re.search(words, sentence), sentence
     assert re.match(r"expected .* (to|within) \S+.*, got \S+[:;.] ", sentence)
+
+
+@pytest.mark.parametrize("slip", ["rates alone", "degrees"])  # a result, and a failure
+def test_arrays_that_change_afterwards_change_no_diagnosis(slip):
+    run = SLIPS[slip][0](told())
+    found = calibrated(run)
+    before = diagnose(found)
+    run["increments"].angle[:] = 0.0
+    assert diagnose(found) == before
+
+
+def test_no_second_pass_is_advised_for_errors_that_a_slip_makes():
+    with pytest.warns(InconsistentWarning, match="accelerometer scale x: found") as said:
+        calibrate(**scaled(interval=1.01)(told()))
+    assert "over the record again" not in str(said[0].message)

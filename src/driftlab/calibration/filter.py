@@ -256,13 +256,13 @@ def calibrate(
                 "prior: expected errors that the filter can follow, got a gyro_bias of "
                 f"{prior.gyro_bias:.3g} rad/s, and it could not go on: {failure} {TAKE_THE_MEAN}."
             )
-            raise FilterFailure(sentence, told) from failure
+            raise FilterFailure(sentence, told.copied()) from failure
         sentence = (
             "increments: expected a record that the filter can follow to its end, got one that "
             f"contradicts what was told, so that it could not go on: {failure} "
             "driftlab.diagnosis.diagnose, given this error, looks for the cause."
         )
-        raise FilterFailure(sentence, told) from doubted
+        raise FilterFailure(sentence, told.copied()) from doubted
     if check and doubted is None:
         run, said = found._contradictions(told)
         if not said and (noise_seen := told_noise(told.run(run))[0]):
@@ -270,7 +270,8 @@ def calibrate(
                 f"expected noise within a factor of {LARGER:g} of what was told, got "
                 + "; ".join(noise_seen)
             ]
-        _warn(said + (found._too_large() if told.first else []))
+        # What a slip makes of the errors is no reason for a second pass.
+        _warn(said or (found._too_large() if told.first else []))
     return found._replace(told=told.copied()) if check else found
 
 
