@@ -160,7 +160,8 @@ class PriorDeviations:
 
 def _check_sizes(sizes: ImuNoise | PriorDeviations) -> None:
     for field in fields(sizes):
-        keep(sizes, **{field.name: usual_deviation(getattr(sizes, field.name), field.name)})
+        size = usual_deviation(getattr(sizes, field.name), field.name, stacklevel=5)
+        keep(sizes, **{field.name: size})
 
 
 def random_imu_errors(

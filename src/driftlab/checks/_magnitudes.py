@@ -66,6 +66,7 @@ _USUAL = {
         LARGEST_ACCELEROMETER_BIAS, "m/s^2", "mg were meant, {0:g}e-3 * 9.81"
     ),
     "scale": _Usual(1.0, "parts of the scale", "ppm were meant, {0:g}e-6"),
+    "scale_asymmetry": _Usual(0.1, "parts of the scale", "ppm were meant, {0:g}e-6"),
     "installation": _Usual(1.0, "rad", "arc seconds were meant, np.radians({0:g} / 3600)"),
 }
 
@@ -185,7 +186,7 @@ def turned_angle(array: FloatArray, name: str) -> FloatArray:
     return array
 
 
-def usual_deviation(value: object, name: str) -> float:
+def usual_deviation(value: object, name: str, stacklevel: int = 4) -> float:
     """Return a standard deviation or random walk, in SI units and radians, that is zero or more.
 
     A value larger than instruments usually have gives an `UnusualWarning`. The limit follows from
@@ -198,7 +199,7 @@ def usual_deviation(value: object, name: str) -> float:
             f"{name}: {number:g} {usual.unit} is more than instruments usually have. "
             f"If {usual.likely.format(number)}.",
             UnusualWarning,
-            stacklevel=4,
+            stacklevel=stacklevel,
         )
     return number
 
