@@ -14,6 +14,8 @@ table meets next; each is linear in its own constants.
   by 2 a, so a sensor feels ``a |w|`` or ``a |f|`` besides. The integral of ``|w|`` over an interval
   is the size of the angle, unless w changes its sign there: then the effect comes out too small, by
   2 a times the angle turned in the rarer direction. Vibration within an interval does not count.
+  The components are those in body axes; along a sensor's own axis the effect differs by a times
+  its installation error.
 """
 
 from __future__ import annotations
