@@ -30,6 +30,10 @@ SENSITIVITY = np.s_[21:30]
 UNKNOWNS = 30
 _PASSES = 12
 _MOST = 100  # steps in one of them; five are usual
+_UNSETTLED = (
+    "rests: expected residuals that a fit can settle on, got {}: a move that is cut, another unit, "
+    "or noise stated much too small?"
+)
 _IN_THE_DARK = np.array([0.1] * 6 + [1.0] * 3 + [0.1] * 9 + [0.1] * 3 + [0.01] * 9)
 """An unknown that poses do not show better than so is in the dark: parts, rad, m/s^2, rad/s."""
 
@@ -329,10 +333,7 @@ def fit_poses(
             weights.residuals, unknowns[free], weights.jacobian, method="lm", max_nfev=_MOST
         )
         if not found.success:
-            raise ValueError(
-                f"rests: expected residuals that a fit can settle on, got none in {_MOST} steps: "
-                "a move that is cut, another unit, or noise stated much too small?"
-            )
+            raise ValueError(_UNSETTLED.format(f"none in {_MOST} steps"))
         unknowns[free], iterations = found.x, iterations + found.nfev
         if turn:  # the first one is weighted for errors that were not known yet
             tests = weights.tests(found.x)
@@ -388,7 +389,10 @@ class _Weights:
 
     def _root(self, excess: FloatArray) -> FloatArray:
         total = self._noise + sum(e**2 * unit for e, unit in zip(excess, self._units, strict=True))
-        return np.linalg.cholesky(total)
+        try:
+            return np.linalg.cholesky(total)
+        except np.linalg.LinAlgError:  # the excess of one kind drowns the noise of the others
+            raise ValueError(_UNSETTLED.format("some far beyond the noise")) from None
 
     def _whole(self, free: FloatArray) -> FloatArray:
         self._at[self.free] = free
