@@ -50,6 +50,8 @@ from driftlab.checks import (
     within,
 )
 from driftlab.core.vectors import norms
+from driftlab.gyrocompass.alignment_deviations import alignment_deviation
+from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
 from driftlab.triad import decompose, triad_matrix
 from support import EPS, directions
@@ -442,6 +444,20 @@ def test_a_usual_deviation_passes_and_an_unusual_one_names_the_likely_unit():
     sentence = "installation: 40 rad is more than instruments usually have. If arc seconds were "
     with pytest.warns(UnusualWarning, match=f"^{re.escape(sentence)}meant, np.radians"):
         assert usual_deviation(40, "installation") == 40.0
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda: PriorDeviations(scale_asymmetry=30.0),
+        lambda: ImuNoise(30.0),
+        lambda: alignment_deviation(0.5, 60.0, 30.0),
+    ],
+)
+def test_a_warning_of_a_deviation_points_to_who_says_it(ask):
+    with pytest.warns(UnusualWarning, match=r"^\w+: 30 .* were meant, ") as seen:
+        ask()
+    assert seen[0].filename == __file__
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from driftlab.checks import UnusualWarning
 from driftlab.imu import (
     NO_ERRORS,
     TYPICAL_ERRORS,
@@ -130,15 +129,6 @@ def test_sizes_that_are_no_deviations_are_refused_by_name(kind, name):
     good = kind(**{name: 0})
     with pytest.raises(FrozenInstanceError):
         setattr(good, name, 1.0)
-
-
-@pytest.mark.parametrize(
-    ("kind", "name"), [(ImuNoise, "angle_random_walk"), (PriorDeviations, "scale_asymmetry")]
-)
-def test_a_warning_of_a_size_points_to_who_says_it(kind, name):
-    with pytest.warns(UnusualWarning, match=rf"^{name}: 30 .* were meant, ") as seen:
-        kind(**{name: 30.0})
-    assert seen[0].filename == __file__
 
 
 @every_field

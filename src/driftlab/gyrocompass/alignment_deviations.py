@@ -165,4 +165,5 @@ def _checked(
 
 
 def _deviations(**values: float) -> list[float]:
-    return [usual_deviation(value, name) for name, value in values.items()]
+    # A comprehension is one more call in Python 3.11, and the warning would point into it.
+    return [*map(usual_deviation, values.values(), values)]
