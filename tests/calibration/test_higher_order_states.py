@@ -147,6 +147,18 @@ def test_a_jump_of_the_rate_tilts_by_what_a_gyro_feels_of_it(monkeypatch):
         np.testing.assert_allclose(found, expected, rtol=0, atol=1e-3 * np.abs(rate).max())
 
 
+def test_a_term_with_the_effect_of_a_bias_grows_like_a_bias(monkeypatch):
+    """Also where the rate jumps, which takes no time."""
+    name = "gyro scale-factor asymmetry"
+    bias = TERMS[name]._replace(effect=lambda times, angle, *_: times + np.zeros_like(angle))
+    monkeypatch.setattr(error_dynamics, "TERMS", {name: bias})
+    way = linearize_along(Scheme("+90Z", dwell=2.0), LATITUDE, AVERAGED.with_states(name))
+    size = np.abs(way.transitions[:, :6, 6:9]).max()
+    np.testing.assert_allclose(
+        way.transitions[:, :6, 27:], way.transitions[:, :6, 6:9], rtol=0, atol=8 * EPS * size
+    )
+
+
 def test_states_that_are_known_to_be_zero_change_nothing():
     surely = PriorDeviations(
         lever_arm=0, time_skew=0, accelerometer_quadratic=0, gyro_g_sensitivity=0

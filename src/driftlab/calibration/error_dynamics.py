@@ -527,7 +527,8 @@ def _jumps(model: ErrorModel, row: list[Segment]) -> FloatArray:
     change = np.diff(spin, axis=0, prepend=spin[:1])
     attitude = to_matrix(np.array([segment.attitude for segment in row]))
     jumps = np.broadcast_to(np.eye(model.size), (len(row), model.size, model.size)).copy()
-    still, at_once = np.zeros_like(change), np.ones(len(row))
+    # Almost no time: effects are divided by it.
+    still, at_once = np.zeros_like(change), np.full(len(row), np.finfo(float).tiny)
     tilts, pushes = _higher_order_effects(model.higher_order, at_once, still, still, change)
     jumps[:, :3, model.triad_states :] = -attitude @ tilts
     jumps[:, 3:6, model.triad_states :] = attitude @ pushes
