@@ -25,7 +25,8 @@ from driftlab.checks import FloatArray, shown
 from driftlab.core import quaternion
 from driftlab.earth import gravity
 from driftlab.increments import Increments
-from driftlab.recordings.guards import doubts, force_factors, gyro_factors
+from driftlab.recordings._slips import force_factors, gyro_factors
+from driftlab.recordings.guards import doubts
 from driftlab.recordings.recording import Recording
 
 _LOOSE = 5 * degree  # how far the start may be off where a slip is looked for in it, rad

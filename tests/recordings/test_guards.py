@@ -18,7 +18,7 @@ from driftlab.recordings import (
     gravity_turns,
     longest_run,
 )
-from driftlab.recordings.guards import force_factors, gyro_factors
+from driftlab.recordings._slips import force_factors, gyro_factors
 from driftlab.recordings.units import ACCELEROMETER_UNITS, GYRO_UNITS
 from support import recording_or_skip
 

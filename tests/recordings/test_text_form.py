@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from driftlab.recordings import gyro_unit
+from driftlab.recordings._slips import force_slips, gyro_slips
 from driftlab.recordings._text_form import (
     decoded,
     header,
@@ -17,7 +18,6 @@ from driftlab.recordings._text_form import (
 )
 from driftlab.recordings._text_table import TextTable, read_table
 from driftlab.recordings._unit_spellings import spelled
-from driftlab.recordings.guards import force_slips, gyro_slips
 from driftlab.recordings.recording import Recording
 
 

@@ -248,19 +248,19 @@ def propagate_level_frame(
     True
     """
     seconds, angle, velocity = checked_increments(increments)
-    k1, k2 = loop_gains(gains, seconds)
+    k1, k2 = _loop_gains(gains, seconds)
     count = angle.shape[-2]
     every = whole_number(every, "every")
     if count % every:
         raise ValueError(
             f"every: expected a divisor of the number of increments, {count}, got {shown(every)}."
         )
-    refuse_alignment(start)
+    _refuse_alignment(start)
     beginning, level = checked_instance(start, LevelFrame, "start")
     parts: dict[str, Any] = {
         "start.attitude": (unit_quaternions(beginning, "start.attitude"), 4),
         "start.rate": (level, 2),
-        "azimuth_rate": (azimuth_rates(azimuth_rate, count), count),
+        "azimuth_rate": (_azimuth_rates(azimuth_rate, count), count),
         "increments.angle": (angle, count, 3),
         "increments.velocity": (velocity, count, 3),
     }
@@ -298,7 +298,7 @@ _MOST_TIMES_THE_EARTH = 100.0
 at 20 m/s turns its meridian once as fast as the Earth at 85 degrees of latitude."""
 
 
-def refuse_alignment(start: object) -> None:
+def _refuse_alignment(start: object) -> None:
     """Refuse the natural slip of an alignment in the place of a horizon."""
     if isinstance(start, Alignment | PositionsAlignment):
         raise ValueError(
@@ -307,7 +307,7 @@ def refuse_alignment(start: object) -> None:
         )
 
 
-def loop_gains(gains: Gains, seconds: float) -> tuple[float, float]:
+def _loop_gains(gains: Gains, seconds: float) -> tuple[float, float]:
     """Return k1 and k2, of a horizon that follows slowly in one interval."""
     k1, k2 = (
         finite_number(value, f"gains.{name}")
@@ -323,7 +323,7 @@ def loop_gains(gains: Gains, seconds: float) -> tuple[float, float]:
     return k1, k2
 
 
-def azimuth_rates(azimuth_rate: ArrayLike, count: int) -> FloatArray:
+def _azimuth_rates(azimuth_rate: ArrayLike, count: int) -> FloatArray:
     """Return an azimuth rate for each interval, (..., count)."""
     rate = finite_array(azimuth_rate, "azimuth_rate")
     fastest = float(np.abs(rate).max())

@@ -175,7 +175,7 @@ def sweep(
     if executor is not None and _has_processes(executor):
         _sendable(task)
     where = place.folder if folder is None else checked_path(folder, "folder")
-    kept = None if where is None else KeptBatches(where, task, root, most)
+    kept = None if where is None else _KeptBatches(where, task, root, most)
     results: list[object] = [MISSING] * len(sizes)
 
     def done(index: int, result: object, *, is_new: bool = True) -> None:
@@ -248,7 +248,7 @@ MISSING = object()
 _DIGEST = 32
 
 
-class KeptBatches:
+class _KeptBatches:
     """The batches of one study in a folder of its own.
 
     Parameters
