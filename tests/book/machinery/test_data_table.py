@@ -124,7 +124,7 @@ def test_a_table_can_be_sent_to_another_process() -> None:
     ],
 )
 def test_what_no_csv_can_hold_is_refused(columns: dict, facts: dict, said: str) -> None:
-    with pytest.raises(ValueError, match=said):
+    with pytest.raises(TypeError, match=said):
         DataTable(columns, facts).columns()
 
 

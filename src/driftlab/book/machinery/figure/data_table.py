@@ -85,7 +85,8 @@ class DataTable:
     Values are attributes, in SI units and radians: ``table.heading_error``. Columns may be of
     different lengths. An entry may hold several columns, as a mapping or an array with names; their
     titles are ``"drift, picard-3"``, ``"drift, steady turn, picard-3"``. The head of a CSV lists
-    those facts that are one number or words.
+    those facts that are one number or words. What is wrong with a table is a TypeError: a panel
+    shows a ValueError as a mistake of its reader.
 
     >>> table = DataTable(
     ...     {"time": (np.array([0.0, 3600.0]), "h", "since the start"),
@@ -106,18 +107,18 @@ class DataTable:
         """Take entries by name, each the arguments of an `Entry`: ``(values, unit, meaning)``."""
         facts = facts or {}
         if both := {*columns} & {*facts}:
-            raise ValueError(f"columns: expected other names than the facts', got {min(both)!r}.")
+            raise TypeError(f"columns: expected other names than the facts', got {min(both)!r}.")
         for name, each in {**columns, **facts}.items():
             if not isinstance(each, tuple):
-                raise ValueError(
+                raise TypeError(
                     f"{name}: expected a tuple (values, unit, meaning), got {type(each).__name__}."
                 )
         self._entries = {name: Entry(*each) for name, each in {**columns, **facts}.items()}
         for name, entry in self._entries.items():
             if hasattr(type(self), name):
-                raise ValueError(f"{name}: expected another name; a table has a method so named.")
+                raise TypeError(f"{name}: expected another name; a table has a method so named.")
             if entry.unit not in UNITS:
-                raise ValueError(
+                raise TypeError(
                     f"{name}: expected a unit of {[*UNITS]}, the second of (values, unit, "
                     f"meaning), got {entry.unit!r}."
                 )
@@ -125,10 +126,10 @@ class DataTable:
         single = [(n, *each) for n in columns for each in _single(n, self._entries[n])]
         self._columns: dict[str, tuple[str, Any]] = {t: (n, values) for n, t, values in single}
         if len({self.heading(title) for title in self._columns}) < len(single):
-            raise ValueError(f"columns: expected other headings for each, got {[*self._columns]}.")
+            raise TypeError(f"columns: expected other headings for each, got {[*self._columns]}.")
         for title in self._columns:
             if re.search(r'[#"\r\n]', title):
-                raise ValueError(
+                raise TypeError(
                     f"{title}: expected a name without number sign, quotation mark or line break, "
                     "which the head of a CSV cannot hold."
                 )
@@ -175,7 +176,7 @@ class DataTable:
         for title, (name, _) in self._columns.items():
             decimals, values = self._entries[name].decimals, self.shown(title)
             if np.ndim(values) > 1:
-                raise ValueError(
+                raise TypeError(
                     f"{title}: expected one column for a CSV, or several with names, got shape "
                     f"{np.shape(values)}."
                 )
@@ -188,7 +189,7 @@ class DataTable:
         """Return a fact as words with its unit: ``"3.142′"``."""
         values = self.shown(name)
         if np.size(values) != 1 or isinstance(values, str):
-            raise ValueError(f"{name}: expected one number to show in words, got {values!r}.")
+            raise TypeError(f"{name}: expected one number to show in words, got {values!r}.")
         return f"{float(values):{form}}{UNITS[self.entry(name).unit][1]}"
 
     def row(self, name: str, form: str = ".3g") -> tuple[str, str]:
@@ -286,7 +287,7 @@ def _single(name: str, entry: Entry) -> Iterator[tuple[str, Any]]:
         words = [", ".join(each) for each in product(*several)]
         shape = np.shape(entry.values)
         if np.prod(shape) % len(words):
-            raise ValueError(f"{name}: expected rows with the names {words}, got shape {shape}.")
+            raise TypeError(f"{name}: expected rows with the names {words}, got shape {shape}.")
         rows = np.reshape(entry.values, (len(words), -1))
         for word, values in zip(words, rows, strict=True):
             yield f"{name}, {word}", values
