@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 import driftlab
 from driftlab.book import figures
 from driftlab.book.machinery.figure.csv_table import numbers, read_table
-from driftlab.book.machinery.figure.data_table import KEPT
+from driftlab.book.machinery.figure.data_table import KEPT, DataTable
 from driftlab.book.machinery.figure.drawing import GUIDE, nature, panels
 from driftlab.book.machinery.figure.publish import PublishedFigure, call_of
 from driftlab.book.machinery.figure.sheet import COLUMN, Sheet
@@ -135,6 +135,12 @@ def test_the_csv_names_its_parameters_its_call_and_the_version(figure: Published
     assert re.search(version, made)
     assert f"driftlab.figure('{figure.definition.name}')" in made
     assert [*map(without_numbers, comments)] == [*map(without_numbers, computed)]
+
+
+@published(*WITH_NUMBERS)
+def test_every_column_says_what_it_is(figure: PublishedFigure) -> None:
+    if isinstance(figure.data, DataTable) and isinstance(figure.on_screen, Figure):
+        assert not [line for line in figure.data.notes() if line.endswith(": ")]
 
 
 def without_numbers(line: str) -> str:

@@ -124,7 +124,7 @@ def short_word_errors(
     line = np.array([STORED_AS_ONE])
     return DataTable(
         {
-            "motion": (of_motion,),
+            "motion": (of_motion, "", "by name"),
             "arithmetic": (of_arithmetic, "", "how products are added, and the length mended"),
             "update": (of_update, "", "how the attitude is advanced"),
             "step": (angles.ravel(), "rad", "angle of a step, rms over the run"),

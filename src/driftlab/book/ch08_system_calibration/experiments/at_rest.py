@@ -63,15 +63,18 @@ def errors_at_rest(
     times = next(iter(runs.values())).times
     curves = {key: static_errors(times, latitude, each) for key, each in causes.items()}
     columns: dict[str, tuple[Any, ...]] = {"time": (times, "h", "since the start")}
+    meanings = {"": "error by simulation", "analytic ": "error by the closed form"}
     for words, found_errors in (("", runs), ("analytic ", curves)):
         for (frame, start), errors in found_errors.items():
             for quantity, (unit, axes) in SHOWN.items():
                 name = f"{words}{quantity}, {FRAMES[frame]}, start from {start}"
-                columns[name] = (getattr(errors, quantity).T[: len(axes)], unit, "", axes)
+                values = getattr(errors, quantity).T[: len(axes)]
+                columns[name] = (values, unit, meanings[words], axes)
     slow = static_error_modes(latitude).at(times)[:3].sum(axis=0) @ next(iter(causes.values()))
     rows = iter(slow.T)
     for quantity, (unit, axes) in SHOWN.items():
-        columns[f"{quantity} without its swing"] = ([next(rows) for _ in axes], unit, "", axes)
+        values = [next(rows) for _ in axes]
+        columns[f"{quantity} without its swing"] = (values, unit, "slow part of the first", axes)
     gaps = {
         key: np.linalg.norm(run.position - curves[key].position, axis=-1).max()
         for key, run in runs.items()

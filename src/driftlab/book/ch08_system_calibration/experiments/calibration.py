@@ -123,8 +123,8 @@ def calibration_errors(
     columns: dict[str, tuple[Any, ...]] = {"time": (calibration.times, "min", "since the start")}
     for i, name in enumerate(names[6:], 6):
         unit, three = state_unit(name), 3 * calibration.deviations[:, i]
-        columns[f"error, {name}"] = (np.abs(found.errors[:, i]), unit)
-        columns[f"three_deviations, {name}"] = (three, unit)
+        columns[f"error, {name}"] = (np.abs(found.errors[:, i]), unit, "size")
+        columns[f"three_deviations, {name}"] = (three, unit, "of the filter")
     return DataTable(columns, {
         "names": (names[6:], "", "of the sensor errors"),
         "positions": (scheme.positions, "", "pauses of the scheme"),

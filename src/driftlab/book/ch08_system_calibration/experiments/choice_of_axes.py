@@ -98,20 +98,22 @@ def choice_of_axes(
                 },
                 "", "squared errors of the 27 states at the end, normalised, of each unit", (), 6,
             ),
-            "mean_of": ([f"{case.scheme}; {PASSES[case.passes]}" for case in squares],),
-            "axes": ([case.frame for case in squares],),
+            "mean_of": ([f"{case.scheme}; {PASSES[case.passes]}" for case in squares], "",
+                "scheme and passes"),
+            "axes": ([case.frame for case in squares], "", "body axes"),
             # Choices of axes are drawn side by side, or they would hide each other.
             "drawn_at": (arcsecond * np.array([
                 case.size * 1.04 ** (BODY_FRAMES.index(case.frame) - 2) for case in squares
             ]), "arcsec", "spread of the installation errors, or close to it"),
             "mean": (means, "", "of the units; 1 is what it should be"),
             "mean_low": (means - errors, "", "mean less its standard error"),
-            "mean_high": (means + errors,),
-            "part_of": ([f"{scheme}; {PASSES[passes]}" for scheme, passes, _ in rivals],),
-            "rival": ([rival for *_, rival in rivals],),
+            "mean_high": (means + errors, "", "mean plus it"),
+            "part_of": ([f"{scheme}; {PASSES[passes]}" for scheme, passes, _ in rivals], "",
+                "scheme and passes"),
+            "rival": ([rival for *_, rival in rivals], "", "body axes"),
             "part": (part, "", "of the units bent most in which averaged axes err less"),
             "part_low": (low, "", "95 % interval"),
-            "part_high": (high,),
+            "part_high": (high, "", "likewise"),
         },
         {"sizes": (bent, "", "spreads of the installation errors, arc seconds")},
     )  # fmt: skip

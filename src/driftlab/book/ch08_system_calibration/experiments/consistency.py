@@ -61,16 +61,16 @@ def filter_consistency(
     inside = np.mean((innovations > low) & (innovations < high))
     return DataTable(
         {
-            "state_time": (found.calibration.times, "min"),
+            "state_time": (found.calibration.times, "min", "of the states"),
             "states_over_expected": (
                 found.nees.mean(axis=0) / size, "", "squared normalised errors, mean over the runs"
             ),
-            "innovation_time": (updates, "min"),
+            "innovation_time": (updates, "min", "of the innovations"),
             "innovations_over_expected": (innovations, "", "the same of the innovations"),
             "state_bound_low": ([state_low], "", "95 % of the values lie between the bounds"),
-            "state_bound_high": ([state_high],),
-            "innovation_bound_low": ([low],),
-            "innovation_bound_high": ([high],),
+            "state_bound_high": ([state_high], "", "likewise"),
+            "innovation_bound_low": ([low], "", "likewise"),
+            "innovation_bound_high": ([high], "", "likewise"),
         },
         {
             "runs": (runs, "", "calibrations"),

@@ -48,7 +48,8 @@ def up_in_body_axes(schemes: Sequence[Scheme] = tuple(SCHEMES.values())) -> Data
     for name, scheme in named.items():
         attitude = table_trajectory(scheme, 0.0, 1.0).attitude
         up = rotate(conjugate(attitude), [0.0, 0.0, 1.0]).T
-        columns[f"time, {name}"] = (np.arange(len(attitude), dtype=np.float64), "min")
+        times = np.arange(len(attitude), dtype=np.float64)
+        columns[f"time, {name}"] = (times, "min", "since the start")
         columns[f"up, {name}"] = (up, "", "along each body axis", ("x", "y", "z"), 6)
     return DataTable(columns, {
         "names": ([*named], "", "of the schemes"),
@@ -101,8 +102,11 @@ def table_observability(
                 np.where(hidden, DRAWN_ZERO, np.maximum(eigenvalues, DRAWN_ZERO)), "",
                 "of the Gramian, over the largest; zero as it is drawn",
             ),
-            "direction_is": (["not observable" if each else "observable" for each in hidden],),
-            "sensor_error": (sensor_errors,),
+            "direction_is": (
+                ["not observable" if each else "observable" for each in hidden], "",
+                "of each direction",
+            ),
+            "sensor_error": (sensor_errors, "", "by name"),
             "deviation_after_over_before": (ratios[6:], "", "what is left of each sensor error"),
         },
         {

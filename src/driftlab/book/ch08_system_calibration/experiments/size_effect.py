@@ -67,18 +67,18 @@ def size_effect(
     _, high = mean_square_bounds(3, int(updates[0, shape[1] // 2, 0]))
     return DataTable(
         {
-            "sensor_error": (list(names),),
-            "number": (np.arange(1, len(names) + 1),),
+            "sensor_error": (list(names), "", "by name"),
+            "number": (np.arange(1, len(names) + 1), "", "of the sensor error"),
             "in_deviations": (
                 np.array(ratios), "", "errors of the typical unit with arms, in stated deviations",
                 FILTERS,
             ),
             "innovations_over_expected": (innovations, "", "mean squared, of both filters"),
-            "with_arms_of": (np.array([arm]), "cm"),
+            "with_arms_of": (np.array([arm]), "cm", "of the typical unit"),
             "table": ([
                 f"{[*SCHEMES][i]} at {np.degrees(each):g} deg/s"
                 for i, each in zip(scheme, turned, strict=True)
-            ],),
+            ], "", "scheme and rate"),
             "rate": (turned, "deg_per_s", "of the table"),
             "arm": (np.array(sizes, float)[size], "cm", "of units without other errors"),
             "squares": (squares.ravel(), "", "expected squared errors of states over variances"),
@@ -86,8 +86,8 @@ def size_effect(
             "worst": (worst.ravel(), "", "largest error of an accelerometer bias, in deviations"),
             "bias": (bias.ravel(), "m_per_s2", "the same"),
             "updates": (updates.ravel(), "", "innovations of three components in a calibration"),
-            "band_from_deviations": ([-BAND],),
-            "band_to_deviations": ([BAND],),
+            "band_from_deviations": ([-BAND], "", "of a right filter"),
+            "band_to_deviations": ([BAND], "", "likewise"),
             "clean_innovations_below": ([high / 3], "", "95 % of those of a right filter"),
         },
         {"shape": (shape, "", "schemes, rates and arms")},

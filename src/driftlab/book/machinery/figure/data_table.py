@@ -209,12 +209,12 @@ class DataTable:
         return lines
 
     def _meanings(self, names: Iterable[str]) -> list[str]:
-        entries = ((name, self._entries[name]) for name in names)
-        return [
-            f"{name}, {each.unit}: {each.meaning}" if each.unit else f"{name}: {each.meaning}"
-            for name, each in entries
-            if each.meaning
-        ]
+        """A line for each meaning; entries of one kind, ``"error, gyro x"``, may share it."""
+        lines = []
+        for name in names:
+            kind, unit, meaning = name.split(", ")[0], *self._entries[name][1:3]
+            lines.append(f"{kind}{f', {unit}' if unit else ''}: {meaning}")
+        return [*dict.fromkeys(lines)]
 
     def as_json(self) -> str:
         """Return on one line what `of_csv` needs besides the columns of a CSV."""
