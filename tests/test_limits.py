@@ -50,7 +50,7 @@ def test_what_waits_without_an_end_fails_and_the_others_go_on(tmp_path: Path) ->
     conftest = (folder / "conftest.py").read_text("utf-8")
     (tmp_path / "conftest.py").write_text(f"import limits\nlimits.LIMIT = 2\n{conftest}", "utf-8")
     (tmp_path / "test_it.py").write_text(TESTS, "utf-8")
-    (tmp_path / "pytest.ini").write_text(f"[pytest]\npythonpath={folder.as_posix()}\n", "utf-8")
+    (tmp_path / "pytest.ini").write_text(f'[pytest]\npythonpath="{folder.as_posix()}"\n', "utf-8")
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-rA", "--tb=line"],
         cwd=tmp_path,

@@ -59,7 +59,7 @@ def test_no_figure_is_left_out(computed):
 
 @pytest.mark.parametrize(
     "name",
-    [name for name, each in figure_definitions().items() if each.columns and not each.restore],
+    [name for name, each in figure_definitions().items() if each.columns and not each.is_kept],
 )
 def test_a_browser_computes_the_published_numbers(name, computed):
     published = read_table(ROOT / f"figures/{name}.csv")[1]
