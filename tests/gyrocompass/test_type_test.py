@@ -23,11 +23,11 @@ from driftlab.gyrocompass.type_test import (
     _at_its_worst,
     _change_of_speed,
     _heading_errors,
+    _quay,
+    _speeding_up,
     _turn,
     _turned,
-    quay,
-    speeding_up,
-    turning,
+    _turning,
 )
 from driftlab.gyrocompass.type_test_compass import checked_steps
 
@@ -132,7 +132,7 @@ def test_in_a_turn_an_accelerometer_bias_does_most_along_the_bow(
 def test_a_turn_counts_in_the_worst_mounting() -> None:
     mixed = Gyrocompass((0.6 * BIAS, 0.0, BIAS), accelerometer_bias=(0.0, 0.0, 0.3 * milli * g))
     found = run(mixed)["turn"]
-    way = turning(LATITUDE, 70 * knot, 3.0)
+    way = _turning(LATITUDE, 70 * knot, 3.0)
     # Past braking as in the test; the draws of a compass without noise do not matter.
     before = int((2 * REST + 70 * knot / BRAKING) // 3.0) - 1
     others = []
@@ -150,8 +150,8 @@ def test_in_a_turn_a_drift_to_the_east_does_what_any_can(latitude: float) -> Non
     off, steady = [], []
     for aside in np.radians(np.arange(0.0, 360.0, 20.0)):
         compass = _turned(TO_THE_EAST, aside)
-        off.append(_turn(compass, turning(place, 70 * knot, 3.0), 70 * knot, rng)["turn"])
-        way = speeding_up(place, 70 * knot, 18.0)
+        off.append(_turn(compass, _turning(place, 70 * knot, 3.0), 70 * knot, rng)["turn"])
+        way = _speeding_up(place, 70 * knot, 18.0)
         steady.append(_change_of_speed(compass, way, rng)["steady way"])
     assert off[0] > 0.99 * max(off)
     assert steady[0] < 0.6 * max(steady)
@@ -207,7 +207,7 @@ def test_the_first_reading_has_the_noise_of_the_alignment() -> None:
     noise, starts = GyroNoise(white=0.5 * degree / hour, slow=0.02 * degree / hour), 400
     compass = Gyrocompass(gyro_noise=noise, alignment_time=300.0)
     rng = np.random.default_rng(4)
-    first = _heading_errors(compass, quay(LATITUDE, 240.0, 60.0), rng, starts)[:, 0]
+    first = _heading_errors(compass, _quay(LATITUDE, 240.0, 60.0), rng, starts)[:, 0]
     expected = noise.deviation_of_mean(3000) / (EARTH_RATE * np.cos(LATITUDE))
     assert abs(first.std() / expected - 1) < 4 / np.sqrt(2 * starts)
 

@@ -6,7 +6,7 @@ from scipy.constants import g
 
 from driftlab.earth import EARTH_RADIUS
 from driftlab.frames import to_euler_angles
-from driftlab.gyrocompass.type_test import quay, rolling, speeding_up, turning
+from driftlab.gyrocompass.type_test import _quay, _rolling, _speeding_up, _turning
 
 LATITUDE, STEP = 0.8, 0.5
 SWING = 2 * np.pi * np.sqrt(EARTH_RADIUS / g)
@@ -21,7 +21,7 @@ def between(values, times, points):
 
 
 def test_at_the_quay_nothing_moves():
-    way = quay(LATITUDE, 30.0, STEP)
+    way = _quay(LATITUDE, 30.0, STEP)
     assert way.velocity.shape == (61, 2)
     assert not way.velocity.any()
     assert len(way.increments.angle) == 60
@@ -30,7 +30,7 @@ def test_at_the_quay_nothing_moves():
 
 @pytest.mark.parametrize("speed", [10.0, 36.0])
 def test_speed_comes_after_a_minute_with_two_metres_a_second_squared(speed):
-    way = speeding_up(LATITUDE, speed, STEP)
+    way = _speeding_up(LATITUDE, speed, STEP)
     times = times_of(way)
     assert times[-1] == pytest.approx(60 + speed / 2 + 2 * SWING, abs=STEP / 2)
     points = np.array([0.0, 60.0, 61.0, 60 + speed / 2 - 1, 60 + speed / 2, 60 + SWING])
@@ -41,7 +41,7 @@ def test_speed_comes_after_a_minute_with_two_metres_a_second_squared(speed):
 
 @pytest.mark.parametrize("speed", [10.0, 36.0])
 def test_the_turn_goes_through_west_at_twenty_degrees_a_second(speed):
-    way = turning(LATITUDE, speed, STEP)
+    way = _turning(LATITUDE, speed, STEP)
     times, begin = times_of(way), 120 + speed / 2
     assert times[-1] == pytest.approx(begin + SWING / 2 + 60, abs=STEP / 2)
     points = np.array([60.0, 60 + speed / 2, begin, begin + 4.5, begin + 9.0, begin + 600])
@@ -54,7 +54,7 @@ def test_the_turn_goes_through_west_at_twenty_degrees_a_second(speed):
 
 
 def test_a_ship_at_sea_rolls_pitches_yaws_and_sways():
-    way = rolling(LATITUDE, STEP, 120.0)
+    way = _rolling(LATITUDE, STEP, 120.0)
     times = times_of(way)
     assert times[-1] == 120.0
     angles = to_euler_angles(way.attitude)

@@ -120,10 +120,10 @@ def marine_type_test(
     rng = np.random.default_rng(whole_number(seed, "seed", least=0, most=None))
     return TypeTest(
         place,
-        _at_the_quay(mounted, quay(place, _AT_REST, fine.quay), count, rng)
-        | _change_of_speed(mounted, speeding_up(place, way, fine.speed), rng)
-        | _turn(mounted, turning(place, way, _turn_step(compass, fine)), way, rng)
-        | _at_sea(mounted, rolling(place, fine.sea, fine.rolling), rng),
+        _at_the_quay(mounted, _quay(place, _AT_REST, fine.quay), count, rng)
+        | _change_of_speed(mounted, _speeding_up(place, way, fine.speed), rng)
+        | _turn(mounted, _turning(place, way, _turn_step(compass, fine)), way, rng)
+        | _at_sea(mounted, _rolling(place, fine.sea, fine.rolling), rng),
     )
 
 
@@ -254,14 +254,14 @@ _SWAYING = 1.0, 10.0  # m/s^2 and s
 
 
 @lru_cache(maxsize=8)
-def quay(latitude: float, duration: float, step: float) -> Trajectory:
+def _quay(latitude: float, duration: float, step: float) -> Trajectory:
     """A ship at rest."""
     still = np.zeros((round(duration / step) + 1, 2))
     return vehicle_trajectory(latitude, still, 0.0, interval=step)
 
 
 @lru_cache(maxsize=8)
-def speeding_up(latitude: float, speed: float, step: float) -> Trajectory:
+def _speeding_up(latitude: float, speed: float, step: float) -> Trajectory:
     """From rest to full speed to the North, then two swings on an even way."""
     times = step * np.arange(round((REST + speed / BRAKING + 2 * SWING) / step) + 1)
     way = np.clip((times - REST) * BRAKING, 0.0, speed)
@@ -270,7 +270,7 @@ def speeding_up(latitude: float, speed: float, step: float) -> Trajectory:
 
 
 @lru_cache(maxsize=8)
-def turning(latitude: float, speed: float, step: float) -> Trajectory:
+def _turning(latitude: float, speed: float, step: float) -> Trajectory:
     """Up to full speed to the North, and through West to the South; then half a swing.
 
     At 70 knots the turn pulls with 12.6 m/s^2. The resolution as read sets no cap there; the draft
@@ -285,7 +285,7 @@ def turning(latitude: float, speed: float, step: float) -> Trajectory:
 
 
 @lru_cache(maxsize=8)
-def rolling(latitude: float, step: float, duration: float) -> Trajectory:
+def _rolling(latitude: float, step: float, duration: float) -> Trajectory:
     """A ship that rolls, pitches and yaws, and sways to the North-East and back."""
     times = step * np.arange(round(duration / step) + 1)
     roll, pitch, yaw = (size * np.sin(2 * np.pi * times / period) for size, period in _ROLLING)
