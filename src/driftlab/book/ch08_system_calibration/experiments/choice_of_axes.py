@@ -107,7 +107,7 @@ def choice_of_axes(
             ]), "arcsec", "spread of the installation errors, or close to it"),
             "mean": (means, "", "of the units; 1 is what it should be"),
             "mean_low": (means - errors, "", "mean less its standard error"),
-            "mean_high": (means + errors, "", "mean plus it"),
+            "mean_high": (means + errors, "", "mean plus its standard error"),
             "part_of": ([f"{scheme}; {PASSES[passes]}" for scheme, passes, _ in rivals], "",
                 "scheme and passes"),
             "rival": ([rival for *_, rival in rivals], "", "body axes"),

@@ -80,7 +80,7 @@ def error_ratios_at_rest(
             "case": ([f"{key.scheme}; {key.rival}; {key.size:g}″" for key in ratios], "",
                 "scheme, rival and spread"),
             "start": ([key.start for key in ratios], "", "of the navigation"),
-            "quantity": ([key.quantity for key in ratios], "", "compared"),
+            "quantity": ([key.quantity for key in ratios], "", "that is compared"),
             "part": (part, "", "of the units in which averaged axes err less"),
             "part_low": (low, "", "95 % interval"),
             "part_high": (high, "", "likewise"),
