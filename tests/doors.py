@@ -26,7 +26,6 @@ CORES = {
     *("pitch_and_roll", "refuse_vertical", "step_drift", "attitude_of_axes", "step_in_word"),
     *("free_rates", "free_transition", "transition", "transition_of_increments", "process_noise"),
     *("dead_channels", "longest_run", "clipped_rows", "twin_channels"),
-    *("warn_of_contradiction", "sign_slip"),  # which two modules share
 }
 # What functions return, and nobody makes by hand.
 RETURNED = {"HandTurn", "HandTurnFit", "Doubt"}

@@ -64,9 +64,7 @@ from driftlab.drift import (
 from driftlab.gyrocompass import (
     alignment,
     alignment_deviations,
-    contradictions,
     heading_error,
-    horizon_noise,
     inertial_alignment,
     levelling,
     noise,
@@ -227,12 +225,6 @@ CASES = {
     heading_error.coriolis_correction: {"latitude": LATITUDE, "velocity": LEVEL},
     noise.GyroNoise().allan_deviation: {"averaging_times": TIME},
     NoiseTerms(1e-6, 1e-5).deviation: {"averaging_times": TIME},
-    fixed(horizon_noise.swing_deviation, angle_random_walk=1e-6, gravity=9.8): {"time": TIME},
-    heading_error.heading_error_of_attitude: {
-        "attitude_error": RATE,
-        "heading": TIME,
-        "pitch": PITCH,
-    },
     trials.table_heading_error: {
         "dial": TIME,
         "gyro_bias_body": 1e-6 * RATE,
@@ -250,10 +242,6 @@ CASES = {
         "latitude": LATITUDE,
         "duration": TIME,
         "turn_angle": TIME,
-    },
-    contradictions.rate_contradiction: {
-        "level_rate": 1e-5 * TIME,
-        "up_rate": 1e-5 * PITCH,
     },
     fixed(alignment.align, rate_unit=None): {
         "angular_rate": RATE,
@@ -359,7 +347,6 @@ APART = {
     vehicle.vehicle_trajectory,
     # Their last axis is a row, and shorter or gone in the answer.
     allan.allan_deviation,
-    noise.moving_average,
     trials.range_over_deviation,
 }
 

@@ -1,7 +1,6 @@
 """What rates at rest say against the Earth's: bounds, chances, the warning, a recording."""
 
 import inspect
-import warnings
 
 import numpy as np
 import pytest
@@ -10,13 +9,8 @@ from scipy.stats import t as student
 
 from driftlab.earth import EARTH_RATE
 from driftlab.frames import from_euler_angles
-from driftlab.gyrocompass.alignment import align
-from driftlab.gyrocompass.contradictions import (
-    InconsistentAlignmentWarning,
-    rate_contradiction,
-    sign_slip,
-    warn_of_contradiction,
-)
+from driftlab.gyrocompass._contradictions import rate_contradiction, sign_slip
+from driftlab.gyrocompass.alignment import InconsistentAlignmentWarning, align
 from driftlab.gyrocompass.inertial_alignment import align_in_inertial_frame
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu
@@ -77,6 +71,7 @@ def test_a_level_rate_alone_needs_the_latitude():
     seen = rate_contradiction(1.01 * LEVEL, latitude=LATITUDE)
     assert seen.heading_doubt == pytest.approx(np.arcsin(0.01))
     assert np.isnan(rate_contradiction(LEVEL).heading_doubt)
+    assert rate_contradiction(1.1 * EARTH_RATE).heading_doubt == pytest.approx(np.arcsin(0.1))
     assert np.isnan(rate_contradiction(1.0, 2.0, size_known=False).heading_doubt)
 
 
@@ -196,18 +191,6 @@ def test_refusals():
         align(RATE, FORCE, rate_unit=0.0)
     with pytest.raises(ValueError, match=r"latitude: expected at most 89\.9 degrees"):
         align(RATE, FORCE, latitude=np.pi / 2)
-
-
-def test_nothing_known_says_nothing():
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        warn_of_contradiction(rate_contradiction(LEVEL), 1e-9, "rate")
-
-
-def test_a_level_rate_alone_is_named_itself():
-    with pytest.warns(InconsistentAlignmentWarning, match="in the level rate by 0.0936 deg/h"):
-        warn_of_contradiction(rate_contradiction(1.01 * LEVEL, latitude=LATITUDE), 1e-3, "rate")
-    assert rate_contradiction(1.1 * EARTH_RATE).heading_doubt == pytest.approx(np.arcsin(0.1))
 
 
 # The recording of a car that is not at rest

@@ -5,7 +5,6 @@ import pytest
 
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.gains import Gains, damped_gains, schuler_gains
-from driftlab.gyrocompass.horizon_noise import settled_deviation
 from driftlab.gyrocompass.levelling_loop import level_loop
 from support import EPS
 
@@ -27,12 +26,12 @@ def test_poles_of_a_damped_loop_solve_its_equation() -> None:
 
 
 def test_responses_to_noise_add_up_to_the_closed_form() -> None:
-    """The area below |response|^2 is the variance that `settled_deviation` says."""
+    """The area below |response|^2 is the variance wn/(4 zeta) of a second-order low-pass."""
     loop = level_loop(damped_gains(0.02, GRAVITY), GRAVITY)
     frequency = np.geomspace(1e-6, 10.0, 4001)
     power = np.abs(loop.gyro_bias(frequency).rate) ** 2
     area = np.trapezoid(power * frequency, np.log(frequency)) / np.pi
-    assert np.sqrt(area) == pytest.approx(settled_deviation(1.0, 0.02), rel=1e-3)
+    assert np.sqrt(area) == pytest.approx(np.sqrt(0.02 / np.sqrt(8)), rel=1e-3)
 
 
 def test_only_an_untuned_loop_with_a_log_feels_the_acceleration() -> None:
@@ -60,12 +59,6 @@ def test_only_an_untuned_loop_with_a_log_feels_the_acceleration() -> None:
 def test_impossible_loops_are_refused(arguments: dict[str, object], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         level_loop(**{"gains": schuler_gains(), "gravity": GRAVITY, **arguments})  # type: ignore[arg-type]
-
-
-def test_without_noise_nothing_is_left_open() -> None:
-    assert settled_deviation(0.0, 0.02) == 0
-    with pytest.raises(ValueError, match=r"^angle_random_walk: expected a number of at least 0"):
-        settled_deviation(-1e-9, 0.02)
 
 
 @pytest.mark.parametrize("log", [False, True])

@@ -4,12 +4,11 @@ from dataclasses import FrozenInstanceError, fields, replace
 
 import numpy as np
 import pytest
-from hypothesis import given, strategies as st
 from scipy.linalg import cholesky, solve_triangular, toeplitz
 from scipy.stats import chi2
 
 from driftlab.allan import allan_deviation
-from driftlab.gyrocompass.noise import GyroNoise, moving_average
+from driftlab.gyrocompass.noise import GyroNoise
 from driftlab.gyrocompass.noise_fit import fit_gyro_noise
 from support import EPS
 
@@ -138,7 +137,8 @@ def test_slow_noise_averages_away_only_in_windows_longer_than_its_correlation_ti
 def test_means_of_samples_are_as_large_as_stated(noise):
     rows = noise.samples(40, np.random.default_rng(4), 20000)
     # Of the means of 12 here, at the beginning and at the end of the rows, two far apart.
-    ends = moving_average(rows, 12)[:, [0, -1]] / noise.deviation_of_mean(12)
+    means = np.stack([rows[:, :12].mean(axis=1), rows[:, -12:].mean(axis=1)], axis=1)
+    ends = means / noise.deviation_of_mean(12)
     low, high = chi2.ppf([0.5e-6, 1 - 0.5e-6], 20000) / 20000
     squares = (ends**2).mean(axis=0)
     assert (low < squares).all()
@@ -262,35 +262,6 @@ def test_fits_refuse_what_they_cannot_do():
         MIXED.allan_deviation([0.0, 1.0])
 
 
-# Moving average
-
-
-@given(st.lists(st.integers(-1000, 1000), min_size=1, max_size=30), st.data())
-def test_moving_average_is_the_mean_of_each_window(values, data):
-    """Whole numbers, whose sums are exact."""
-    window = data.draw(st.integers(1, len(values)))
-    row = np.array(values, float)
-    expected = [sum(values[i : i + window]) / window for i in range(len(row) - window + 1)]
-    np.testing.assert_array_equal(moving_average(row, window), expected)
-
-
-def test_moving_average_goes_along_the_last_axis():
-    values = np.random.default_rng(6).normal(size=(2, 3, 50))
-    found = moving_average(values, 8)
-    assert found.shape == (2, 3, 43)
-    for i in np.ndindex(2, 3):
-        expected = np.convolve(values[i], np.full(8, 1 / 8), mode="valid")
-        # Differences of sums of at most 50 numbers of size 4.
-        np.testing.assert_allclose(found[i], expected, rtol=0, atol=200 * EPS)
-
-
-def test_moving_average_leaves_its_argument_alone():
-    values = np.ones(5)
-    values.setflags(write=False)
-    np.testing.assert_array_equal(moving_average(values, 1), values)
-    np.testing.assert_array_equal(moving_average(values, 5), [1.0])
-
-
 # Sizes in the units of the field, and refusals
 
 
@@ -329,14 +300,6 @@ def test_counts_that_are_no_counts_are_refused(count):
         MIXED.samples(count, np.random.default_rng(0))
     with pytest.raises(ValueError, match=words.format("count")):
         MIXED.deviation_of_mean(count)
-    with pytest.raises(ValueError, match=words.format("window")):
-        moving_average(np.ones(5), count)
-
-
-def test_a_window_longer_than_the_row_is_refused():
-    words = r"^window: expected at most the number of values, 5, got 6\.$"
-    with pytest.raises(ValueError, match=words):
-        moving_average(np.ones((9, 5)), 6)
 
 
 @pytest.mark.parametrize("correlation_time", [1e6, 1e9, 1e15])
@@ -346,16 +309,3 @@ def test_what_hardly_changes_does_not_average_away(correlation_time):
     # 1 - n h/(3 T) to first order in n h/T.
     expected = np.sqrt(1 - 100 * 0.1 / (3 * correlation_time))
     assert noise.deviation_of_mean(100) == pytest.approx(expected, abs=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("values", "words"),
-    [
-        ([1.0, np.nan, 2.0], "^values: expected finite"),
-        ([[1.0], [2.0, 3.0]], "^values: expected real numbers, got rows"),
-        ([1.0, 2.0], "^window: expected at most the number of values, 2"),
-    ],
-)
-def test_moving_average_refuses_what_is_no_row(values, words):
-    with pytest.raises(ValueError, match=words):
-        moving_average(values, 3)

@@ -9,9 +9,8 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.earth import EARTH_RATE
 from driftlab.frames import from_euler_angles
-from driftlab.gyrocompass.alignment import align
+from driftlab.gyrocompass.alignment import InconsistentAlignmentWarning, align
 from driftlab.gyrocompass.alignment_deviations import alignment_deviation, two_position_deviation
-from driftlab.gyrocompass.contradictions import InconsistentAlignmentWarning
 from driftlab.gyrocompass.inertial_alignment import inertial_alignment_deviation
 from driftlab.gyrocompass.noise import GyroNoise
 from driftlab.gyrocompass.two_position_alignment import align_in_positions

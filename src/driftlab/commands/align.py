@@ -12,7 +12,7 @@ from driftlab.checks import FloatArray
 from driftlab.conventions import mirror_heading
 from driftlab.core.vectors import wrap_angle
 from driftlab.earth import EARTH_RATE, gravity
-from driftlab.gyrocompass.contradictions import sign_slip
+from driftlab.gyrocompass._contradictions import sign_slip
 from driftlab.gyrocompass.inertial_alignment import InertialAlignment
 from driftlab.increments import Increments
 from driftlab.recordings.recording import Recording

@@ -16,9 +16,8 @@ from driftlab.checks import FloatArray
 from driftlab.core.vectors import wrap_angle
 from driftlab.earth import EARTH_RATE
 from driftlab.frames import pitch_and_roll
-from driftlab.gyrocompass.alignment import align
-from driftlab.gyrocompass.alignment_results import Alignment
-from driftlab.gyrocompass.contradictions import NOTHING_KNOWN, rate_contradiction
+from driftlab.gyrocompass._contradictions import NOTHING_KNOWN, rate_contradiction
+from driftlab.gyrocompass.alignment import Alignment, align
 from driftlab.gyrocompass.inertial_alignment import InertialAlignment, align_in_inertial_frame
 from driftlab.increments import Increments
 

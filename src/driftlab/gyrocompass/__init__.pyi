@@ -1,11 +1,8 @@
 from . import (
     alignment as alignment,
     alignment_deviations as alignment_deviations,
-    alignment_results as alignment_results,
-    contradictions as contradictions,
     gains as gains,
     heading_error as heading_error,
-    horizon_noise as horizon_noise,
     inertial_alignment as inertial_alignment,
     levelling as levelling,
     levelling_loop as levelling_loop,
@@ -19,6 +16,7 @@ from . import (
     type_test_limits as type_test_limits,
 )
 from .alignment import (
+    InconsistentAlignmentWarning as InconsistentAlignmentWarning,
     align as align,
     alignment_attitude_error as alignment_attitude_error,
     alignment_errors as alignment_errors,
@@ -26,17 +24,6 @@ from .alignment import (
 from .alignment_deviations import (
     alignment_deviation as alignment_deviation,
     two_position_deviation as two_position_deviation,
-)
-from .alignment_results import (
-    Alignment as Alignment,
-    AlignmentErrors as AlignmentErrors,
-)
-from .contradictions import (
-    InconsistentAlignmentWarning as InconsistentAlignmentWarning,
-    RateContradiction as RateContradiction,
-    rate_contradiction as rate_contradiction,
-    sign_slip as sign_slip,
-    warn_of_contradiction as warn_of_contradiction,
 )
 from .gains import (
     Gains as Gains,
@@ -46,13 +33,8 @@ from .gains import (
 from .heading_error import (
     OperatingHeadingError as OperatingHeadingError,
     coriolis_correction as coriolis_correction,
-    heading_error_of_attitude as heading_error_of_attitude,
     operating_heading_error as operating_heading_error,
     speed_error as speed_error,
-)
-from .horizon_noise import (
-    settled_deviation as settled_deviation,
-    swing_deviation as swing_deviation,
 )
 from .inertial_alignment import (
     InertialAlignment as InertialAlignment,
@@ -72,7 +54,6 @@ from .levelling_loop import (
 )
 from .noise import (
     GyroNoise as GyroNoise,
-    moving_average as moving_average,
 )
 from .noise_fit import (
     fit_gyro_noise as fit_gyro_noise,
@@ -83,7 +64,6 @@ from .simulation import (
 )
 from .trials import (
     most_range_over_deviation as most_range_over_deviation,
-    normal_ranges as normal_ranges,
     range_over_deviation as range_over_deviation,
     table_heading_error as table_heading_error,
 )

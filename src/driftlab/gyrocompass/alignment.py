@@ -7,12 +7,14 @@ have no numbers. They are called by their subject here: (alignment heading), (al
 
 from __future__ import annotations
 
+import warnings
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import (
     FloatArray,
-    finite_array,
     finite_arrays,
     nonzero_vectors,
     positive_number,
@@ -25,12 +27,92 @@ from driftlab.earth import (
     checked_latitude,
     gravity as normal_gravity,
 )
-from driftlab.frames import pitch_and_roll, refuse_vertical
+from driftlab.frames import from_euler_angles, pitch_and_roll, refuse_vertical
 
-from .alignment_results import Alignment, AlignmentErrors
-from .contradictions import _contradiction, checked_tolerance, warn_of_contradiction
+from ._contradictions import (
+    NOT_KNOWN,
+    RateContradiction,
+    checked_tolerance,
+    rate_contradiction,
+    sign_slip,
+)
 
 _LEAST_COLATITUDE = np.radians(0.1)
+_DEG_PER_HOUR = np.radians(1) / 3600
+_LIKE_THE_EARTH = 1.9
+"""A rate of another size than the Earth's by more than this factor is hardly one in rad/s. In deg/s
+it would be 57 times as large; integrals over half a second are a half."""
+
+
+class InconsistentAlignmentWarning(UserWarning):
+    """Warning that the rates of an alignment are not those of a body at rest on the Earth.
+
+    Examples
+    --------
+    A body that is not at rest, at a latitude of 45 degrees:
+
+    >>> import warnings
+    >>> from driftlab.gyrocompass import align
+    >>> with warnings.catch_warnings(record=True) as caught:
+    ...     warnings.simplefilter("always")
+    ...     found = align([5e-5, 5.6e-5, 0.0], [0.0, 9.8, 0.0], latitude=np.pi / 4)
+    >>> caught[0].category.__name__
+    'InconsistentAlignmentWarning'
+    """
+
+
+class Alignment(NamedTuple):
+    """Heading, pitch, roll and latitude of a body at rest, from its own sensors; each (...).
+
+    Attributes
+    ----------
+    heading, pitch, roll, latitude : ndarray, shape (...)
+        rad.
+    level_rate : ndarray, shape (...)
+        Horizontal component of the angular rate, in the unit of that rate. Without errors it is
+        U cos(latitude), where U is the Earth's rate.
+    rate_excess : ndarray, shape (...)
+        Whole rate found less that of the Earth, rad/s; NaN if the rate is a direction only.
+    latitude_excess : ndarray, shape (...)
+        Latitude found less that which is known, rad; NaN if none is.
+    heading_doubt : ndarray, shape (...)
+        By how much a rate of the size of this contradiction can turn the heading, rad; NaN if
+        nothing is known. It is a deviation that stands on two numbers: of rates isotropic in space
+        5 in 100 turn the heading by more than 4.3 times it, of leans about level lines 20 in 100.
+    """
+
+    heading: FloatArray
+    pitch: FloatArray
+    roll: FloatArray
+    latitude: FloatArray
+    level_rate: FloatArray
+    rate_excess: FloatArray = NOT_KNOWN
+    latitude_excess: FloatArray = NOT_KNOWN
+    heading_doubt: FloatArray = NOT_KNOWN
+
+    @property
+    def attitude(self) -> FloatArray:
+        """Quaternion (..., 4), body to North, Up, East; well defined in a vertical body too."""
+        return from_euler_angles(self.heading, self.pitch, self.roll)
+
+
+class AlignmentErrors(NamedTuple):
+    """First-order errors of an alignment, computed minus true.
+
+    Attributes
+    ----------
+    heading, pitch, roll, latitude : ndarray, shape (...)
+        rad.
+    heading_terms : ndarray, shape (..., 4)
+        Terms of `heading` in the paper's order, rad: east gyro; east accelerometer by tan(pitch);
+        north accelerometer by tan(pitch); east accelerometer by tan(latitude).
+    """
+
+    heading: FloatArray
+    pitch: FloatArray
+    roll: FloatArray
+    latitude: FloatArray
+    heading_terms: FloatArray
 
 
 def align(
@@ -100,9 +182,8 @@ def align(
 
     The body must not turn meanwhile. A body that leans about East by a small angle more at the end
     than at the start turns the heading by this angle over T U cos(latitude), where T is the time of
-    the means: an arc minute in five minutes by about a degree. `rate_contradiction` says what shows
-    of that; a lean about East alone shows little. `driftlab.gyrocompass.inertial_alignment` aligns
-    a body that sways.
+    the means: an arc minute in five minutes by about a degree. `heading_doubt` shows a part of
+    that, and little of a lean about East alone. `align_in_inertial_frame` aligns a body that sways.
 
     White noise of the gyros that makes a deviation d of the heading makes this warning, if the
     latitude is known, with the chance exp(-(heading_tolerance/d)^2).
@@ -150,12 +231,8 @@ def align(
     forward = turn[..., 0] * np.cos(pitch) - along * np.sin(pitch)
     right = turn[..., 1] * np.sin(roll) + turn[..., 2] * np.cos(roll)
     scale = EARTH_RATE if unit is None else unit * size
-    told = unit is not None
-    known = finite_array(latitude, "latitude") if latitude is not None else None
-    if known is not None:
-        checked_latitude(known)
-    seen = _contradiction(scale * across, scale * upward, known, told)
-    warn_of_contradiction(seen, tolerance, "angular_rate", latitude)
+    seen = rate_contradiction(scale * across, scale * upward, latitude, size_known=unit is not None)
+    _warn_of_contradiction(seen, tolerance, latitude)
     found = {
         "heading": np.arctan2(right, forward),
         "pitch": pitch,
@@ -178,6 +255,53 @@ def _refuse_exchanged(rate: FloatArray, force: FloatArray) -> None:
             "angular_rate, specific_force: expected a rate and then a force, got sizes of "
             f"{rate.flat[0]:.3g} and {force.flat[0]:.3g}, as of the two exchanged."
         )
+
+
+def _warn_of_contradiction(
+    seen: RateContradiction, tolerance: float, latitude: ArrayLike | None
+) -> None:
+    """Warn where a contradiction can turn a heading by more than `tolerance`, rad."""
+    wrong = np.atleast_1d(seen.heading_doubt > tolerance)
+    if not wrong.any():
+        return
+    worst = int(np.nanargmax(seen.heading_doubt))
+    place = np.nan if latitude is None else np.broadcast_to(latitude, wrong.shape).flat[worst]
+    excess, turned, doubt = (
+        float(np.atleast_1d(each).flat[worst])
+        for each in (seen.rate_excess, seen.latitude_excess, seen.heading_doubt)
+    )
+    parts = []
+    for size, words in (
+        (excess / _DEG_PER_HOUR, "the whole rate by {:+.3g} deg/h"),
+        (np.degrees(turned), "the latitude found by {:+.3g} degrees"),
+    ):
+        if np.isfinite(size):
+            parts.append(words.format(size))
+    if not parts:
+        drift = float(np.atleast_1d(seen.spurious_rate).flat[worst]) / _DEG_PER_HOUR
+        parts.append(f"the level rate by {drift:.3g} deg/h")
+    many = f", in {wrong.sum()} of {wrong.size} alignments, at worst" if wrong.size > 1 else ""
+    warnings.warn(
+        f"angular_rate: expected the rate of the Earth at rest, got another{many}: it differs in "
+        f"{' and in '.join(parts)}; {_likely_reason(1 + excess / EARTH_RATE, turned, place, doubt)}"
+        ".",
+        InconsistentAlignmentWarning,
+        stacklevel=3,
+    )
+
+
+def _likely_reason(ratio: float, turned: float, place: float, doubt: float) -> str:
+    if not np.isnan(ratio) and not 1 / _LIKE_THE_EARTH < ratio < _LIKE_THE_EARTH:
+        return (
+            f"it is {ratio:.3g} times that of the Earth. Is it in rad/s, and not integrals over an "
+            "interval? Otherwise tell rate_unit, the size of its unit in rad/s, or None for "
+            "directions alone; if it is, these gyros do not see the Earth, or the body turned"
+        )
+    return sign_slip(place + turned, place) or (
+        "a rate as large across the meridian, where nothing shows it, turns the heading by "
+        f"{np.degrees(doubt):.2g} degrees. If the body swayed or leaned, use "
+        "align_in_inertial_frame(increments, latitude); if not, calibrate the gyros"
+    )
 
 
 def alignment_errors(

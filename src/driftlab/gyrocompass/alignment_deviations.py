@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from driftlab.checks import FloatArray, finite_arrays, positive_array, usual_deviation
 from driftlab.earth import EARTH_RATE, checked_latitude, gravity
 
-from .contradictions import NOTHING_KNOWN
+from ._contradictions import NOTHING_KNOWN
 
 _LEAST_TURN = np.radians(5.0)
 

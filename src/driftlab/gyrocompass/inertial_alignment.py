@@ -29,7 +29,7 @@ from driftlab.earth import EARTH_RATE, checked_latitude, gravity as normal_gravi
 from driftlab.frames import to_euler_angles
 from driftlab.increments import Increments, checked_increments
 
-from .contradictions import NOTHING_KNOWN
+from ._contradictions import NOTHING_KNOWN
 
 _NO_FORCE = 1e-30
 """Velocity increments that are all smaller, m/s, have no direction left in double."""

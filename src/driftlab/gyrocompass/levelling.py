@@ -36,7 +36,7 @@ from driftlab.earth import EARTH_RATE
 from driftlab.frames import EulerAngles, to_euler_angles
 from driftlab.increments import Increments, checked_increments
 
-from .alignment_results import Alignment
+from .alignment import Alignment
 from .gains import Gains
 from .two_position_alignment import PositionsAlignment
 

@@ -16,7 +16,6 @@ from scipy.constants import degree, hour
 from driftlab.checks import (
     FloatArray,
     checked_generator,
-    finite_array,
     finite_number,
     keep,
     positive_array,
@@ -214,40 +213,3 @@ class GyroNoise:
         )
         fast = self.white**2 * self.interval / times + 3 * (self.quantisation / times) ** 2
         return np.sqrt(fast + self.slow**2 * slow)
-
-
-def moving_average(values: ArrayLike, window: int) -> FloatArray:
-    """Means over a moving window.
-
-    Parameters
-    ----------
-    values : array_like, shape (..., n)
-        In any unit.
-    window : int
-        Number of neighbouring values in a mean, at most n.
-
-    Returns
-    -------
-    ndarray, shape (..., n - window + 1)
-        In the unit of `values`.
-
-    Raises
-    ------
-    ValueError
-        If the window is longer than the rows.
-
-    Examples
-    --------
-    >>> moving_average([1.0, 2.0, 6.0, 4.0], 2)
-    array([1.5, 4. , 5. ])
-    """
-    row = np.atleast_1d(finite_array(values, "values"))
-    length = whole_number(window, "window")
-    if length > row.shape[-1]:
-        raise ValueError(
-            f"window: expected at most the number of values, {row.shape[-1]}, got {shown(window)}."
-        )
-    sums = np.cumsum(row, axis=-1)
-    sums = np.concatenate([np.zeros_like(sums[..., :1]), sums], axis=-1)
-    means: FloatArray = (sums[..., length:] - sums[..., :-length]) / length
-    return means

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, checked_generator, finite_array, finite_arrays, whole_number
+from driftlab.checks import FloatArray, finite_array, finite_arrays, whole_number
 from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.core.vectors import wrap_angle
 from driftlab.frames import from_euler_angles
@@ -140,30 +140,3 @@ def most_range_over_deviation(count: int) -> float:
     (2.0, 2.0)
     """
     return float(np.sqrt(2 * (whole_number(count, "count", least=2) - 1)))
-
-
-def normal_ranges(count: int, trials: int, rng: np.random.Generator | int) -> FloatArray:
-    """`range_over_deviation` of random samples of normally distributed values.
-
-    Parameters
-    ----------
-    count : int
-        Number of values in a sample, at least 2.
-    trials : int
-        Number of samples.
-    rng : numpy.random.Generator or int
-        Source of the values.
-
-    Returns
-    -------
-    ndarray, shape (trials,)
-        Without unit.
-
-    Examples
-    --------
-    >>> ranges = normal_ranges(10, 2000, np.random.default_rng(1))
-    >>> round(float(ranges.mean()), 1), bool(ranges.max() < most_range_over_deviation(10))
-    (3.2, True)
-    """
-    size = (whole_number(trials, "trials"), whole_number(count, "count", least=2))
-    return range_over_deviation(checked_generator(rng).standard_normal(size))

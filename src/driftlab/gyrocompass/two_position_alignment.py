@@ -19,7 +19,6 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import (
     FloatArray,
-    finite_array,
     finite_arrays,
     positive_number,
     unit_quaternions,
@@ -27,12 +26,8 @@ from driftlab.checks import (
 from driftlab.core.quaternion import to_matrix
 from driftlab.frames import from_euler_angles
 
-from .alignment import align
-from .contradictions import (
-    InconsistentAlignmentWarning,
-    _contradiction,
-    checked_tolerance,
-)
+from ._contradictions import checked_tolerance, rate_contradiction
+from .alignment import InconsistentAlignmentWarning, align
 
 _LEAST = float(np.sin(np.radians(2.5)) ** 2)
 """Of sin(turn/2)^2; along directions that see less of a turn a bias is taken for unknown."""
@@ -227,10 +222,9 @@ def align_in_positions(
     unit = 1.0 if rate_unit is None else positive_number(rate_unit, "rate_unit")
     doubt = found.heading_doubt
     if unseen.any():
-        known = rate_unit is not None
-        level = unit * found.level_rate
-        place = None if latitude is None else finite_array(latitude, "latitude")
-        doubt = _contradiction(level, None, place, known).heading_doubt
+        doubt = rate_contradiction(
+            unit * found.level_rate, None, latitude, size_known=rate_unit is not None
+        ).heading_doubt
     # Of what is seen worst, as the mean of the noise of one reading.
     least = np.sqrt(count * np.where(unseen, 1.0, sizes).min(axis=-1))
     scatter = np.arcsin(np.minimum(rate_residual / (found.level_rate * least), 1.0))

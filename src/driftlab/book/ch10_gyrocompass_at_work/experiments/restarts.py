@@ -7,8 +7,8 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, whole_number
 from driftlab.gyrocompass.alignment import align
-from driftlab.gyrocompass.noise import GyroNoise, moving_average
-from driftlab.gyrocompass.trials import most_range_over_deviation, normal_ranges
+from driftlab.gyrocompass.noise import GyroNoise
+from driftlab.gyrocompass.trials import most_range_over_deviation, range_over_deviation
 from driftlab.motion.vehicle import static_imu
 
 RESTARTS = 26
@@ -43,7 +43,9 @@ def restart_series(
     deviations = np.array(
         [[np.hypot(each.white, each.slow), each.deviation_of_mean(window)] for each in noises]
     )
-    averaged, ranges = moving_average(raw, window), normal_ranges(restarts, trials, rng)
+    sums = np.concatenate([[0.0], np.cumsum(raw)])
+    averaged = (sums[window:] - sums[:-window]) / window
+    ranges = range_over_deviation(rng.standard_normal((whole_number(trials, "trials"), restarts)))
     density, edges = np.histogram(ranges, min(120, 10 + len(ranges) // 100), density=True)
     least, most = rounded_ratio_range()
     sampled = strong.interval * np.arange(len(raw))

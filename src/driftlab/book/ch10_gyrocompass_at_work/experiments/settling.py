@@ -9,7 +9,6 @@ from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.gains import damped_gains, schuler_gains
-from driftlab.gyrocompass.horizon_noise import settled_deviation, swing_deviation
 from driftlab.gyrocompass.levelling import LevelFrame, propagate_level_frame
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu
@@ -65,7 +64,7 @@ def settling_and_swing(
     # The swing begins with the rate error of the moment; the tilt adds little to it.
     phase = np.sqrt(pull / EARTH_RADIUS) * working.times
     begun = settled_deviation(random_walk, frequency) * np.cos(phase)
-    grown = swing_deviation(random_walk, working.times, pull)
+    grown = schuler_deviation(random_walk, working.times, pull)
     level = EARTH_RATE * np.cos(latitude)
     tilt = np.linalg.norm(to_rotation_vector(quiet.attitude)[:, [0, 2]], axis=-1)
     heading, names = working.heading, [f"run {i}" for i in range(1, runs + 1)]
@@ -80,3 +79,25 @@ def settling_and_swing(
             "heading_error": (heading, "deg", "of each run with noise", names),
         }
     )
+
+
+def settled_deviation(
+    angle_random_walk: float, frequency: float, damping: float = float(np.sqrt(0.5))
+) -> float:
+    """Standard deviation of a damped horizon's rate under white gyro noise, once settled, rad/s.
+
+    The noise passes a second-order low-pass filter.
+    """
+    return float(angle_random_walk * np.sqrt(frequency / (4 * damping)))
+
+
+def schuler_deviation(
+    angle_random_walk: float, times: FloatArray, pull: float, radius: float = EARTH_RADIUS
+) -> FloatArray:
+    """Standard deviation of a Schuler-tuned horizon's rate under white gyro noise, rad/s.
+
+    Nothing damps the oscillation, so it grows with the square root of the time.
+    """
+    schuler = np.sqrt(pull / radius)
+    grown = times / 2 - np.sin(2 * schuler * times) / (4 * schuler)
+    return np.asarray(angle_random_walk * schuler * np.sqrt(np.maximum(grown, 0.0)))

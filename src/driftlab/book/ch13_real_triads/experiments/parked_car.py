@@ -18,8 +18,7 @@ from driftlab.core.quantiles import chi_squared_quantile
 from driftlab.core.quaternion import multiply
 from driftlab.earth import EARTH_RATE
 from driftlab.frames import to_euler_angles
-from driftlab.gyrocompass.alignment import align
-from driftlab.gyrocompass.alignment_results import Alignment
+from driftlab.gyrocompass.alignment import Alignment, align
 from driftlab.gyrocompass.inertial_alignment import align_in_inertial_frame
 from driftlab.increments import Increments
 from driftlab.recordings.publishers import published

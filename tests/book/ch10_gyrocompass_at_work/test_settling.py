@@ -1,13 +1,16 @@
-"""Noise of the working compass: closed forms against Lyapunov's equation and the loop itself."""
+"""Noise of a horizon that settles and then oscillates: against Lyapunov's equation."""
 
 import numpy as np
 import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.linalg import solve_continuous_lyapunov
 
+from driftlab.book.ch10_gyrocompass_at_work.experiments.settling import (
+    schuler_deviation,
+    settled_deviation,
+)
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.gains import damped_gains, schuler_gains
-from driftlab.gyrocompass.horizon_noise import settled_deviation, swing_deviation
 from driftlab.gyrocompass.levelling import LevelFrame, propagate_level_frame
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu
@@ -87,7 +90,7 @@ def test_default_damping_is_that_of_the_tuning():
 # A horizon that swings
 
 
-def test_swing_deviation_solves_lyapunovs_equation_in_time():
+def test_schuler_deviation_solves_lyapunovs_equation_in_time():
     matrix = loop(schuler_gains())
     # Scaled, so that tilt and rate are of one size: the tilt counts in units of rate over Schuler.
     scale = np.diag([SCHULER, 1.0]) / (WALK * SCHULER)
@@ -100,76 +103,45 @@ def test_swing_deviation_solves_lyapunovs_equation_in_time():
 
     solved = solve_ivp(grows, (0, TIMES[-1]), np.zeros(4), "DOP853", TIMES, rtol=1e-11, atol=1e-13)
     expected = WALK * SCHULER * np.sqrt(np.maximum(solved.y[3], 0))
-    found = swing_deviation(WALK, TIMES, GRAVITY)
+    found = schuler_deviation(WALK, TIMES, GRAVITY)
     np.testing.assert_allclose(found, expected, rtol=1e-7, atol=0)
 
 
-def test_swing_deviation_is_that_of_the_instrument():
+def test_schuler_deviation_is_that_of_the_instrument():
     interval, count = 10.0, 400
     answers = responses(schuler_gains(), interval, count)
     simulated = WALK * np.sqrt(interval * np.cumsum(answers**2))
     times = interval * np.arange(1, count + 1)
-    expected = swing_deviation(WALK, times, GRAVITY)
+    expected = schuler_deviation(WALK, times, GRAVITY)
     later = times > 300
     # A tilt about East also turns with the Earth, which makes the swing faster by half of this.
     allowed = (EARTH_RATE / SCHULER) ** 2
     np.testing.assert_allclose(simulated[later], expected[later], rtol=allowed)
 
 
-def test_swing_deviation_grows_with_the_square_root_of_the_time():
+def test_schuler_deviation_grows_with_the_square_root_of_the_time():
     """In whole halves of a swing exactly: as a random walk of N ws/sqrt(2)."""
     halves = np.pi / SCHULER * np.array([[1, 2, 3], [10, 100, 1000]])
-    found = swing_deviation(WALK, halves, GRAVITY)
+    found = schuler_deviation(WALK, halves, GRAVITY)
     assert found.shape == (2, 3)
     np.testing.assert_allclose(found, WALK * SCHULER * np.sqrt(halves / 2), rtol=1e-9)
 
 
-def test_swing_deviation_begins_with_the_tilt_that_noise_leaves():
+def test_schuler_deviation_begins_with_the_tilt_that_noise_leaves():
     """N ws^2 sqrt(t^3/3): a random walk of the tilt, integrated."""
     times = np.array([5.0, 10.0])
     expected = WALK * SCHULER**2 * np.sqrt(times**3 / 3)
     # The next term of the series is smaller by (ws t)^2/5.
-    np.testing.assert_allclose(swing_deviation(WALK, times, GRAVITY), expected, rtol=1e-4)
-    assert swing_deviation(WALK, 0.0, GRAVITY) == 0
+    np.testing.assert_allclose(schuler_deviation(WALK, times, GRAVITY), expected, rtol=1e-4)
+    assert schuler_deviation(WALK, np.zeros(1), GRAVITY) == 0
 
 
 def test_radius_and_gravity_count_as_schulers_frequency():
-    found = swing_deviation(WALK, TIMES, 4 * GRAVITY)
+    found = schuler_deviation(WALK, TIMES, 4 * GRAVITY)
     np.testing.assert_allclose(
-        found, swing_deviation(WALK, TIMES, GRAVITY, EARTH_RADIUS / 4), rtol=64 * EPS
+        found, schuler_deviation(WALK, TIMES, GRAVITY, EARTH_RADIUS / 4), rtol=64 * EPS
     )
     # Twice the frequency is half of the time scale.
     np.testing.assert_allclose(
-        found[1:], np.sqrt(2) * swing_deviation(WALK, 2 * TIMES[1:], GRAVITY), rtol=1e-6
+        found[1:], np.sqrt(2) * schuler_deviation(WALK, 2 * TIMES[1:], GRAVITY), rtol=1e-6
     )
-
-
-# Refusals
-
-
-def test_gyros_without_noise_leave_none():
-    assert settled_deviation(0.0, 0.02) == 0
-    assert not swing_deviation(0.0, [0.0, 3600.0], GRAVITY).any()
-
-
-def test_times_and_noise_that_are_not_finite_are_refused():
-    with pytest.raises(ValueError, match=r"^time: expected finite numbers, got 1 NaN"):
-        swing_deviation(WALK, [0.0, np.nan], GRAVITY)
-    for refusing in (
-        lambda: swing_deviation(np.nan, 1.0, GRAVITY),
-        lambda: settled_deviation(np.nan, 0.02),
-    ):
-        with pytest.raises(ValueError, match=r"^angle_random_walk: expected finite numbers"):
-            refusing()
-
-
-@pytest.mark.parametrize("value", [0.0, -1.0, np.inf])
-def test_impossible_loops_are_refused(value):
-    with pytest.raises(ValueError, match=r"^natural_frequency: expected"):
-        settled_deviation(WALK, value)
-    with pytest.raises(ValueError, match=r"^damping: expected"):
-        settled_deviation(WALK, 0.02, value)
-    with pytest.raises(ValueError, match=r"^gravity: expected"):
-        swing_deviation(WALK, 1.0, value)
-    with pytest.raises(ValueError, match=r"^radius: expected"):
-        swing_deviation(WALK, 1.0, GRAVITY, value)
