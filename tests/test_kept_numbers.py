@@ -15,7 +15,7 @@ from driftlab.calibration.scheme_design import DesignTask
 from driftlab.calibration.simulation import TableTrial
 from driftlab.drift.turn_calibration import TurnExperiment
 from driftlab.gyrocompass.noise import GyroNoise
-from driftlab.gyrocompass.type_test_compass import Gyrocompass
+from driftlab.gyrocompass.type_test import Gyrocompass
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion import Coning, FixedAxis, Scheme, Sway, TableTurn
 from driftlab.noise_terms import NoiseTerms

@@ -5,9 +5,9 @@ import pytest
 
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.frames import navigation_frame_rate
-from driftlab.gyrocompass.gains import schuler_gains
 from driftlab.gyrocompass.heading_error import coriolis_correction
 from driftlab.gyrocompass.levelling import LevelFrame, propagate_level_frame
+from driftlab.gyrocompass.levelling_loop import schuler_gains
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import vehicle_trajectory
 from driftlab.quaternion import conjugate, multiply, rotate, to_rotation_vector

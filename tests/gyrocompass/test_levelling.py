@@ -7,7 +7,6 @@ from scipy.spatial.transform import Rotation
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.frames import from_euler_angles, navigation_frame_rate
 from driftlab.gyrocompass.alignment import align, alignment_errors
-from driftlab.gyrocompass.gains import Gains, damped_gains, schuler_gains
 from driftlab.gyrocompass.heading_error import operating_heading_error, speed_error
 from driftlab.gyrocompass.levelling import (
     LevelFrame,
@@ -15,6 +14,7 @@ from driftlab.gyrocompass.levelling import (
     initial_level_frame,
     propagate_level_frame,
 )
+from driftlab.gyrocompass.levelling_loop import Gains, damped_gains, schuler_gains
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import smooth_step, static_imu, vehicle_trajectory
 from driftlab.quaternion import (

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.gyrocompass.gains import Gains, damped_gains, schuler_gains
-from driftlab.gyrocompass.levelling_loop import level_loop
+from driftlab.gyrocompass.levelling_loop import Gains, damped_gains, level_loop, schuler_gains
 from support import EPS
 
 LATITUDE = float(np.radians(51.5))

@@ -8,9 +8,9 @@ from driftlab.book.scenarios import ship_manoeuvre
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.frames import to_euler_angles
 from driftlab.gyrocompass.alignment import align
-from driftlab.gyrocompass.gains import Gains, damped_gains
 from driftlab.gyrocompass.heading_error import operating_heading_error
 from driftlab.gyrocompass.levelling import initial_level_frame, propagate_level_frame
+from driftlab.gyrocompass.levelling_loop import Gains, damped_gains
 from driftlab.gyrocompass.simulation import simulate_compass
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu

@@ -12,16 +12,17 @@ from driftlab.gyrocompass import (
     LIMITS,
     Gyrocompass,
     GyroNoise,
-    Steps,
-    TypeTest,
     marine_type_test,
 )
 from driftlab.gyrocompass.type_test import (
     BRAKING,
     REST,
     SWING,
+    Steps,
+    TypeTest,
     _at_its_worst,
     _change_of_speed,
+    _checked_steps,
     _heading_errors,
     _quay,
     _speeding_up,
@@ -29,7 +30,6 @@ from driftlab.gyrocompass.type_test import (
     _turned,
     _turning,
 )
-from driftlab.gyrocompass.type_test_compass import checked_steps
 
 LATITUDE = np.radians(51.5)
 BIAS = 0.05 * degree / hour
@@ -61,7 +61,7 @@ def test_fine_steps_meet_the_moments_at_which_a_manoeuvre_begins_and_swings_turn
 
 
 def test_a_minute_at_sea_is_enough() -> None:
-    assert checked_steps(Steps(rolling=60.0)).rolling == 60.0
+    assert _checked_steps(Steps(rolling=60.0)).rolling == 60.0
 
 
 def test_limits_are_the_numbers_of_the_resolutions() -> None:

@@ -1,7 +1,6 @@
 from . import (
     alignment as alignment,
     alignment_deviations as alignment_deviations,
-    gains as gains,
     heading_error as heading_error,
     inertial_alignment as inertial_alignment,
     levelling as levelling,
@@ -12,8 +11,6 @@ from . import (
     trials as trials,
     two_position_alignment as two_position_alignment,
     type_test as type_test,
-    type_test_compass as type_test_compass,
-    type_test_limits as type_test_limits,
 )
 from .alignment import (
     InconsistentAlignmentWarning as InconsistentAlignmentWarning,
@@ -25,32 +22,25 @@ from .alignment_deviations import (
     alignment_deviation as alignment_deviation,
     two_position_deviation as two_position_deviation,
 )
-from .gains import (
-    Gains as Gains,
-    damped_gains as damped_gains,
-    schuler_gains as schuler_gains,
-)
 from .heading_error import (
-    OperatingHeadingError as OperatingHeadingError,
     coriolis_correction as coriolis_correction,
     operating_heading_error as operating_heading_error,
     speed_error as speed_error,
 )
 from .inertial_alignment import (
-    InertialAlignment as InertialAlignment,
     align_in_inertial_frame as align_in_inertial_frame,
     inertial_alignment_deviation as inertial_alignment_deviation,
 )
 from .levelling import (
     LevelFrame as LevelFrame,
-    LevellingHistory as LevellingHistory,
     initial_level_frame as initial_level_frame,
     propagate_level_frame as propagate_level_frame,
 )
 from .levelling_loop import (
-    LevelLoop as LevelLoop,
-    LoopResponse as LoopResponse,
+    Gains as Gains,
+    damped_gains as damped_gains,
     level_loop as level_loop,
+    schuler_gains as schuler_gains,
 )
 from .noise import (
     GyroNoise as GyroNoise,
@@ -59,7 +49,6 @@ from .noise_fit import (
     fit_gyro_noise as fit_gyro_noise,
 )
 from .simulation import (
-    HeadingErrors as HeadingErrors,
     simulate_compass as simulate_compass,
 )
 from .trials import (
@@ -68,20 +57,11 @@ from .trials import (
     table_heading_error as table_heading_error,
 )
 from .two_position_alignment import (
-    PositionsAlignment as PositionsAlignment,
     align_in_positions as align_in_positions,
 )
 from .type_test import (
-    marine_type_test as marine_type_test,
-)
-from .type_test_compass import (
     COARSE as COARSE,
-    FINE as FINE,
-    Gyrocompass as Gyrocompass,
-    Steps as Steps,
-)
-from .type_test_limits import (
     LIMITS as LIMITS,
-    Limit as Limit,
-    TypeTest as TypeTest,
+    Gyrocompass as Gyrocompass,
+    marine_type_test as marine_type_test,
 )

@@ -125,12 +125,6 @@ class OperatingHeadingError(NamedTuple):
         Minus the error of the yaw, rad.
     tilt : ndarray, shape (...)
         Effect of the tilt of the horizon in a pitched body, rad.
-
-    Examples
-    --------
-    >>> terms = OperatingHeadingError(*np.array([3e-4, 1e-4, -2e-4, 0.0]))
-    >>> f"{terms.compass_angle:.1e} {terms.heading:.1e}"
-    '2.0e-04 4.0e-04'
     """
 
     east_rate: FloatArray
@@ -140,34 +134,12 @@ class OperatingHeadingError(NamedTuple):
 
     @property
     def compass_angle(self) -> FloatArray:
-        """Error of the compass angle Psi_K: the left-hand side of the formula.
-
-        Returns
-        -------
-        ndarray, shape (...)
-            Sum of all four terms, rad.
-
-        Examples
-        --------
-        >>> f"{OperatingHeadingError(*np.array([3e-4, 1e-4, -2e-4, 0.0])).compass_angle:.1e}"
-        '2.0e-04'
-        """
+        """Error of the compass angle Psi_K (...), rad: all four terms, as in the formula."""
         return self.east_rate + self.north_rate + self.yaw + self.tilt
 
     @property
     def heading(self) -> FloatArray:
-        """Error of the heading Psi = psi + Psi_K, in which the errors of the yaw cancel.
-
-        Returns
-        -------
-        ndarray, shape (...)
-            Sum of the terms other than that of the yaw, rad.
-
-        Examples
-        --------
-        >>> f"{OperatingHeadingError(*np.array([3e-4, 1e-4, -2e-4, 0.0])).heading:.1e}"
-        '4.0e-04'
-        """
+        """Error of the heading Psi = psi + Psi_K (...), rad, in which errors of the yaw cancel."""
         return self.east_rate + self.north_rate + self.tilt
 
 

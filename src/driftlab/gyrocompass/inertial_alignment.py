@@ -62,16 +62,6 @@ class InertialAlignment(NamedTuple):
         drift about East of the same size the heading errs by the difference over U cos(latitude).
     gravity : ndarray, shape (...)
         m/s^2, as the accelerometers have it.
-
-    Examples
-    --------
-    >>> from driftlab.frames import from_euler_angles
-    >>> from driftlab.motion import static_imu
-    >>> rate, force = static_imu(from_euler_angles(0.5, 0.1, 0.2), np.radians(60.0))
-    >>> still = Increments(0.1, np.tile(0.1 * rate, (3000, 1)), np.tile(0.1 * force, (3000, 1)))
-    >>> found = align_in_inertial_frame(still, np.radians(60.0))
-    >>> [round(float(angle), 6) for angle in (found.heading, found.pitch, found.roll)]
-    [0.5, 0.1, 0.2]
     """
 
     heading: FloatArray

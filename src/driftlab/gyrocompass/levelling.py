@@ -37,7 +37,7 @@ from driftlab.frames import EulerAngles, to_euler_angles
 from driftlab.increments import Increments, checked_increments
 
 from .alignment import Alignment
-from .gains import Gains
+from .levelling_loop import Gains
 from .two_position_alignment import PositionsAlignment
 
 _MOST_TURN = 0.1  # rad in one interval, for which the series of a turn is exact to 1e-11
@@ -52,11 +52,6 @@ class LevelFrame(NamedTuple):
         Body to horizon.
     rate : ndarray, shape (..., 2)
         Integral parts of the horizon's level rates w_eta1 and w_eta3, rad/s.
-
-    Examples
-    --------
-    >>> LevelFrame(np.array([0.0, 0.0, 0.0, 1.0]), np.zeros(2)).rate
-    array([0., 0.])
     """
 
     attitude: FloatArray
@@ -78,14 +73,6 @@ class LevellingHistory(NamedTuple):
         Their proportional parts k1 W3 and -k1 W1, rad/s: means over the last interval.
     last : LevelFrame
         State at the last of the times.
-
-    Examples
-    --------
-    >>> level, rate = np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[5e-5, 5e-5]])
-    >>> end = LevelFrame(level[0], rate[0])
-    >>> found = LevellingHistory(np.ones(1), level, rate, np.zeros((1, 2)), end)
-    >>> np.degrees(found.compass_angle)
-    array([45.])
     """
 
     times: FloatArray
@@ -96,78 +83,25 @@ class LevellingHistory(NamedTuple):
 
     @property
     def horizon_rate(self) -> FloatArray:
-        """Whole level rates w_eta1 and w_eta3 with which the horizon turns.
+        """Whole level rates w_eta1 and w_eta3 (..., k, 2) with which the horizon turns, rad/s.
 
         For a compass too noisy: one pulse of a real accelerometer can be more than the Earth's.
-
-        Returns
-        -------
-        ndarray, shape (..., k, 2)
-            `rate` plus `proportional_rate`, rad/s.
-
-        Examples
-        --------
-        >>> start, rate = LevelFrame(np.eye(4)[3], np.zeros(2)), np.array([[5e-5, 0.0]])
-        >>> LevellingHistory(np.ones(1), np.eye(4)[3:], rate, [[0.0, 3e-4]], start).horizon_rate
-        array([[5.e-05, 3.e-04]])
         """
         return self.rate + self.proportional_rate
 
     @property
     def yaw_pitch_roll(self) -> EulerAngles:
-        """Angles of the body in the horizon.
-
-        Returns
-        -------
-        EulerAngles
-            Yaw psi (in the field `heading`), pitch and roll, each (..., k), rad.
-
-        Examples
-        --------
-        >>> yawed = np.array([[0.0, np.sin(0.1), 0.0, np.cos(0.1)]])
-        >>> none = np.zeros((1, 2))
-        >>> found = LevellingHistory(np.ones(1), yawed, none, none, LevelFrame(yawed[0], none[0]))
-        >>> found.yaw_pitch_roll.heading.round(6)
-        array([0.2])
-        """
+        """Yaw psi (in the field `heading`), pitch and roll of the body in the horizon, rad."""
         return to_euler_angles(self.attitude)
 
     @property
     def compass_angle(self) -> FloatArray:
-        """Compass angle Psi_K of `rate`: from the compass's North to the horizon's first axis.
-
-        Returns
-        -------
-        ndarray, shape (..., k)
-            rad, from -pi to pi.
-
-        Examples
-        --------
-        >>> level, rate = np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[5e-5, 5e-5]])
-        >>> end = LevelFrame(level[0], rate[0])
-        >>> found = LevellingHistory(np.ones(1), level, rate, np.zeros((1, 2)), end)
-        >>> found.compass_angle.round(4)
-        array([0.7854])
-        """
+        """Angle Psi_K (..., k) from the compass's North to the horizon's first axis, rad."""
         return np.arctan2(self.rate[..., 1], self.rate[..., 0])
 
     @property
     def heading(self) -> FloatArray:
-        """Heading Psi = psi + Psi_K: yaw in the horizon plus compass angle; (heading).
-
-        Returns
-        -------
-        ndarray, shape (..., k)
-            rad, from -pi to pi, positive from North to West.
-
-        Examples
-        --------
-        >>> yawed, north = np.array([[0.0, np.sin(0.1), 0.0, np.cos(0.1)]]), np.array([[1.0, 0.0]])
-        >>> end = LevelFrame(yawed[0], north[0])
-        >>> found = LevellingHistory(np.ones(1), yawed, north, np.zeros((1, 2)), end)
-        >>> found.heading.round(6)
-        array([0.2])
-        """
+        """Heading Psi = psi + Psi_K (..., k), rad, from -pi to pi; (heading)."""
         return wrap_angle(self.yaw_pitch_roll.heading + self.compass_angle)
 
 

@@ -1,18 +1,16 @@
-"""The levelling loop as a linear filter: its poles, and what disturbs it, frequency by frequency.
+"""The levelling loop as a linear filter: gains, poles, and the response to each disturbance.
 
-Its frequency response to each disturbance is what a Bode diagram shows. The tuning is Schuler's,
-*Die Störung von Pendel- und Kreiselapparaten durch die Beschleunigung des Fahrzeuges*,
-Physikalische Zeitschrift 24, 1923; gains k1 and k2 as in Plotnikov et al.
-
-One channel, for the tilt chi about East, of a compass without velocity to the North; the other
-channel is its mirror image. With the acceleration a, the error n of the accelerometer, the drift d
-of the gyro and the log's velocity v_log:
+Its frequency response to each disturbance is what a Bode diagram shows. One channel, for the tilt
+chi about East, of a compass without velocity to the North; the other channel is its mirror image.
+With the acceleration a, the error n of the accelerometer, the drift d of the gyro and the log's
+velocity v_log, and the gains k1 and k2 as in Plotnikov et al.:
 
     chi' = -k1 (g chi + a + n - v_log') - k2 ∫(g chi + a + n) dt + ∫a dt/R - d.
 
-Chapter 10 derives it. The tuning k2 = 1/R is that of M. Schuler (Physikalische Zeitschrift 24,
-1923); the loop and its oscillation without damping are in K. R. Britting, Inertial Navigation
-Systems Analysis (1971).
+Chapter 10 derives it. The tuning k2 = 1/R is Schuler's, *Die Störung von Pendel- und
+Kreiselapparaten durch die Beschleunigung des Fahrzeuges*, Physikalische Zeitschrift 24, 1923; the
+loop and its oscillation without damping are in K. R. Britting, Inertial Navigation Systems Analysis
+(1971).
 """
 
 from __future__ import annotations
@@ -33,9 +31,79 @@ from driftlab.checks import (
 )
 from driftlab.earth import EARTH_RADIUS
 
-from .gains import Gains
-
 ComplexArray = NDArray[np.complex128]
+
+
+class Gains(NamedTuple):
+    """Gains by which the horizon follows the accelerometers.
+
+    Attributes
+    ----------
+    proportional : float
+        k1, rad/s for each m/s^2.
+    integral : float
+        k2, rad/s^2 for each m/s^2.
+
+    Examples
+    --------
+    >>> Gains(proportional=0.0, integral=1e-5)
+    Gains(proportional=0.0, integral=1e-05)
+    """
+
+    proportional: float
+    integral: float
+
+
+def schuler_gains(radius: float = EARTH_RADIUS) -> Gains:
+    """Gains of Schuler tuning, which has no ballistic error: k1 = 0 and k2 = 1/R.
+
+    Parameters
+    ----------
+    radius : float
+        R of the Earth, m.
+
+    Returns
+    -------
+    Gains
+        With the period of 84 minutes of a pendulum of the Earth's radius.
+
+    Examples
+    --------
+    >>> gains = schuler_gains()
+    >>> round(2 * np.pi / float(np.sqrt(9.8 * gains.integral)) / 60, 1)  # period, minutes
+    84.4
+    """
+    return Gains(0.0, 1 / positive_number(radius, "radius"))
+
+
+def damped_gains(
+    natural_frequency: float, gravity: float, damping: float = float(np.sqrt(0.5))
+) -> Gains:
+    """Gains of a damped horizon, for accelerated alignment.
+
+    Parameters
+    ----------
+    natural_frequency : float
+        wn, rad/s.
+    gravity : float
+        g, m/s^2.
+    damping : float
+        Damping ratio zeta, without unit.
+
+    Returns
+    -------
+    Gains
+        k1 = 2 zeta wn/g and k2 = wn^2/g.
+
+    Examples
+    --------
+    >>> gains = damped_gains(0.01, 9.8)
+    >>> f"{gains.proportional:.2e} {gains.integral:.2e}"
+    '1.44e-03 1.02e-05'
+    """
+    frequency = positive_number(natural_frequency, "natural_frequency")
+    pull, ratio = one_pull(gravity), positive_number(damping, "damping")
+    return Gains(2 * ratio * frequency / pull, frequency * frequency / pull)
 
 
 class LoopResponse(NamedTuple):
@@ -49,12 +117,6 @@ class LoopResponse(NamedTuple):
         Error of the integral part of the rate about East, from which the heading is read, without
         the speed error; with a log that is the one that the log tells. rad/s for a unit. Over the
         level rate U cos(latitude) it is the heading error.
-
-    Examples
-    --------
-    >>> response = level_loop(Gains(1e-4, 1.6e-7), 9.8).gyro_bias([0.0])
-    >>> response.rate.real  # a constant drift, all of it
-    array([1.])
     """
 
     tilt: ComplexArray
@@ -73,12 +135,6 @@ class LevelLoop(NamedTuple):
         Whether a log tells the velocity.
     radius : float
         R of the Earth, m.
-
-    Examples
-    --------
-    >>> from driftlab.gyrocompass.gains import schuler_gains
-    >>> 1e3 * level_loop(schuler_gains(), 9.8).poles().round(6)  # 1/s
-    array([0.+1.24j, 0.-1.24j])
     """
 
     gains: Gains
@@ -87,28 +143,10 @@ class LevelLoop(NamedTuple):
     radius: float
 
     def poles(self, vertical_rate: float = 0.0) -> ComplexArray:
-        """Poles of both channels together, as one complex tilt alpha + i chi.
+        """Poles (2,) of both channels as one complex tilt alpha + i chi, 1/s.
 
-        Parameters
-        ----------
-        vertical_rate : float
-            U sin(latitude), by which the Earth couples the channels, rad/s. Then the poles of
-            alpha - i chi are the complex conjugates of these.
-
-        Returns
-        -------
-        ndarray, shape (2,)
-            Roots of s^2 + (k1 g - i U sin(latitude)) s + k2 g, 1/s; the larger imaginary part
-            first.
-
-        Examples
-        --------
-        With half of the critical damping a swing leaves a fortieth of itself:
-
-        >>> from driftlab.gyrocompass.gains import damped_gains
-        >>> pole, _ = level_loop(damped_gains(0.02, 9.8, 0.5), 9.8).poles()
-        >>> round(float(np.exp(2 * np.pi * pole.real / pole.imag)), 3)
-        0.027
+        The Earth couples the channels by `vertical_rate`, U sin(latitude), rad/s. The roots are
+        those of s^2 + (k1 g - i U sin(latitude)) s + k2 g, the larger imaginary part first.
         """
         k1, k2 = self.gains
         turning = finite_number(vertical_rate, "vertical_rate")
@@ -116,24 +154,7 @@ class LevelLoop(NamedTuple):
         return np.asarray(found[np.argsort(-found.imag)])
 
     def acceleration(self, frequency: ArrayLike) -> LoopResponse:
-        """Response to the ship's acceleration to the North.
-
-        Parameters
-        ----------
-        frequency : array_like, shape (n,)
-            rad/s.
-
-        Returns
-        -------
-        LoopResponse
-            For m/s^2; zeros with Schuler's k2 and no k1, or with a log.
-
-        Examples
-        --------
-        >>> from driftlab.gyrocompass.gains import schuler_gains
-        >>> level_loop(schuler_gains(), 9.8).acceleration([1e-3]).tilt
-        array([0.+0.j])
-        """
+        """Response to the ship's acceleration to the North, m/s^2, at frequencies (n,) in rad/s."""
         (k1, k2), g, radius = self.gains, self.gravity, self.radius
         untuned = k2 - 1 / radius
         if self.log:
@@ -141,78 +162,17 @@ class LevelLoop(NamedTuple):
         return self._response(frequency, [-k1, -untuned], [-untuned, k1 * g / radius])
 
     def gyro_bias(self, frequency: ArrayLike) -> LoopResponse:
-        """Response to the drift of the gyros about East.
-
-        Parameters
-        ----------
-        frequency : array_like, shape (n,)
-            rad/s.
-
-        Returns
-        -------
-        LoopResponse
-            For rad/s.
-
-        Examples
-        --------
-        Far above its natural frequency the loop follows the gyros, and the integral does not:
-
-        >>> from driftlab.gyrocompass.gains import damped_gains
-        >>> abs(level_loop(damped_gains(0.02, 9.8), 9.8).gyro_bias([2.0]).rate).round(6)
-        array([0.0001])
-        """
+        """Response to the drift of the gyros about East, rad/s, at frequencies (n,) in rad/s."""
         g, k2 = self.gravity, self.gains.integral
         return self._response(frequency, [-1.0, 0.0], [k2 * g])
 
     def accelerometer_bias(self, frequency: ArrayLike) -> LoopResponse:
-        """Response to an error of the accelerometer to the North.
-
-        Parameters
-        ----------
-        frequency : array_like, shape (n,)
-            rad/s.
-
-        Returns
-        -------
-        LoopResponse
-            For m/s^2.
-
-        Examples
-        --------
-        A constant one tilts the horizon by itself over g, and the rate does not show it:
-
-        >>> from driftlab.gyrocompass.gains import damped_gains
-        >>> found = level_loop(damped_gains(0.02, 10.0), 10.0).accelerometer_bias([0.0])
-        >>> found.tilt.real.round(6), found.rate.real + 0.0
-        (array([-0.1]), array([0.]))
-        """
+        """Response to an error of the North accelerometer, m/s^2, at frequencies (n,) in rad/s."""
         k1, k2 = self.gains
         return self._response(frequency, [-k1, -k2], [-k2, 0.0])
 
     def log_error(self, frequency: ArrayLike) -> LoopResponse:
-        """Response to an error of the log's velocity to the North.
-
-        Parameters
-        ----------
-        frequency : array_like, shape (n,)
-            rad/s.
-
-        Returns
-        -------
-        LoopResponse
-            For m/s; the rate has the error of the speed error that is subtracted. Zeros without a
-            log.
-
-        Examples
-        --------
-        At the Schuler frequency, with Schuler's k2, both parts of the heading error cancel:
-
-        >>> from driftlab.gyrocompass.gains import damped_gains
-        >>> swing = np.sqrt(9.8 / EARTH_RADIUS)
-        >>> found = level_loop(damped_gains(swing, 9.8), 9.8, log=True).log_error([0.0, swing])
-        >>> abs(EARTH_RADIUS * found.rate).round(6)
-        array([1., 0.])
-        """
+        """Response to an error of the log's North velocity, m/s, at frequencies (n,) in rad/s."""
         (k1, k2), g, radius = self.gains, self.gravity, self.radius
         if not self.log:
             return self._response(frequency, [0.0], [0.0])
@@ -255,9 +215,11 @@ def level_loop(
 
     Examples
     --------
-    >>> from driftlab.gyrocompass.gains import damped_gains
-    >>> level_loop(damped_gains(0.02, 9.8, 1.0), 9.8).poles().real.round(6)
+    >>> loop = level_loop(damped_gains(0.02, 9.8, 1.0), 9.8)
+    >>> loop.poles().real.round(6)
     array([-0.02, -0.02])
+    >>> loop.gyro_bias([0.0]).rate.real  # a constant drift, all of it
+    array([1.])
     """
     checked_instance(gains, Gains, "gains")
     proportional = finite_number(gains.proportional, "gains.proportional")

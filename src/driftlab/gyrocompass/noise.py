@@ -71,57 +71,17 @@ class GyroNoise:
             keep(self, **{field.name: finite_number(value, field.name)})
 
     def sampled_every(self, interval: float) -> GyroNoise:
-        """Return the same noise with samples farther apart, each a mean over its interval.
+        """Return the same noise, each sample a mean over its `interval`, s.
 
-        Parameters
-        ----------
-        interval : float
-            Between the new samples, s; short beside the correlation time.
-
-        Returns
-        -------
-        GyroNoise
-            Its white part is smaller by the root of the number of samples in a mean.
-
-        Examples
-        --------
-        >>> second = GyroNoise(white=1e-6, interval=0.01).sampled_every(1.0)
-        >>> f"{second.white:.1e}", second.slow == GyroNoise().slow
-        ('1.0e-07', True)
+        The white part is smaller by the root of the number of samples in a mean. The interval shall
+        be short beside the correlation time.
         """
         seconds = positive_number(interval, "interval")
         white = self.white * float(np.sqrt(self.interval / seconds))
         return replace(self, white=white, interval=seconds)
 
     def samples(self, count: int, rng: np.random.Generator | int, *shape: int) -> FloatArray:
-        """Draw the noise of gyros that are switched on anew.
-
-        Parameters
-        ----------
-        count : int
-            Number of samples.
-        rng : numpy.random.Generator or int
-            Source of the noise.
-        *shape : int
-            Leading axes of the result: independent gyros.
-
-        Returns
-        -------
-        ndarray, shape (..., count)
-            Rates, rad/s.
-
-        Raises
-        ------
-        ValueError
-            If a number is not whole and positive, or `rng` is no source of noise.
-
-        Examples
-        --------
-        >>> noise = GyroNoise(white=1e-6, slow=0.0)
-        >>> rates = noise.samples(10000, np.random.default_rng(1), 2)
-        >>> rates.shape, f"{rates.std():.0e}"
-        ((2, 10000), '1e-06')
-        """
+        """Draw the noise of gyros that are switched on anew, rates (*shape, count) in rad/s."""
         size = (*(whole_number(n, "shape") for n in shape), whole_number(count, "count"))
         source = checked_generator(rng)
         kept = float(np.exp(-self.interval / self.correlation_time))
@@ -138,26 +98,7 @@ class GyroNoise:
         return noise
 
     def deviation_of_mean(self, count: int) -> float:
-        """Standard deviation of the mean of some neighbouring samples, in closed form.
-
-        Parameters
-        ----------
-        count : int
-            Number of samples.
-
-        Returns
-        -------
-        float
-            rad/s.
-
-        Examples
-        --------
-        White noise alone averages out with the square root of the number:
-
-        >>> noise = GyroNoise(white=1e-6, slow=0.0)
-        >>> f"{noise.deviation_of_mean(100):.1e}"
-        '1.0e-07'
-        """
+        """Standard deviation of the mean of `count` neighbouring samples, in closed form, rad/s."""
         number = whole_number(count, "count")
         lags = np.arange(1, number)
         # Sum of the correlations of all pairs of samples, pair by pair of equal distance.
@@ -169,20 +110,8 @@ class GyroNoise:
         return float(np.linalg.norm(parts))
 
     def allan_deviation(self, averaging_times: ArrayLike) -> FloatArray:
-        r"""Allan deviation in closed form.
+        r"""Allan deviation (...) in closed form, rad/s, at averaging times (...) in s.
 
-        Parameters
-        ----------
-        averaging_times : array_like, shape (...)
-            s.
-
-        Returns
-        -------
-        ndarray, shape (...)
-            rad/s.
-
-        Notes
-        -----
         With the parts' deviations w and s, the correlation time T, the interval h and the
         quantisation Q:
 
@@ -193,14 +122,6 @@ class GyroNoise:
         The slow part is averaged as if it were known at all times. That of its sampled values is
         larger by the factor sqrt(1 + h^2/(2 tau^2)), if h and tau are short beside T: by 22 % at
         one sample, 1 % at five.
-
-        Examples
-        --------
-        A slow part is worst at 1.9 correlation times, and then it is 0.62 of its deviation:
-
-        >>> noise = GyroNoise(white=0.0, slow=1.0, correlation_time=100.0)
-        >>> noise.allan_deviation([10.0, 190.0, 2000.0]).round(2)
-        array([0.25, 0.62, 0.3 ])
         """
         times = positive_array(averaging_times, "averaging_times")
         x = times / self.correlation_time

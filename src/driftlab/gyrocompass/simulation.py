@@ -34,7 +34,6 @@ from driftlab.motion.trajectory import Trajectory
 from driftlab.motion.vehicle import static_imu
 
 from .alignment import align
-from .gains import Gains
 from .heading_error import (
     OperatingHeadingError,
     coriolis_correction,
@@ -42,6 +41,7 @@ from .heading_error import (
     speed_error,
 )
 from .levelling import LevelFrame, LevellingHistory, initial_level_frame, propagate_level_frame
+from .levelling_loop import Gains
 
 _MOST_TILT = 0.1  # rad: what an alignment leaves is small
 _MOST_BIAS = 10 * EARTH_RATE  # no compass sees the Earth beside it
@@ -65,14 +65,6 @@ class HeadingErrors(NamedTuple):
     yaw_error, compass_error : ndarray, shape (..., n)
         Errors of the two parts of the heading, yaw and compass angle, rad. From the latter the
         speed error is removed.
-
-    Examples
-    --------
-    >>> from driftlab.motion.vehicle import vehicle_trajectory
-    >>> still = vehicle_trajectory(0.8, np.zeros((11, 2)), 0.0, interval=1.0)
-    >>> errors = simulate_compass(still, np.zeros(3))
-    >>> errors.times.shape, errors.tilt.shape
-    ((10,), (10, 2))
     """
 
     times: FloatArray

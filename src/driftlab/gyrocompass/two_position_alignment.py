@@ -52,13 +52,6 @@ class PositionsAlignment(NamedTuple):
     heading_doubt : ndarray, shape (...)
         By how much what contradicts the Earth's rate can turn the heading, rad: the level rate, and
         with turns about two axes the whole of it. NaN if nothing is known.
-
-    Examples
-    --------
-    >>> rate = [[6e-5, 5e-5, 1e-5], [-4e-5, 5e-5, 1e-5]]  # before and after half a turn about Up
-    >>> found = align_in_positions(rate, [[0, 9.8, 0], [0, 9.8, 0]], [[0, 0, 0, 1], [0, 1, 0, 0]])
-    >>> found.gyro_bias
-    array([1.e-05, 0.e+00, 1.e-05])
     """
 
     heading: FloatArray
@@ -74,20 +67,7 @@ class PositionsAlignment(NamedTuple):
 
     @property
     def attitude(self) -> FloatArray:
-        """Attitude quaternion of the first position.
-
-        Returns
-        -------
-        ndarray, shape (..., 4)
-            Body (forward, up, right) to North, Up, East.
-
-        Examples
-        --------
-        >>> rate = [[6e-5, 5e-5, 1e-5], [-4e-5, 5e-5, 1e-5]]
-        >>> turn = [[0, 0, 0, 1], [0, 1, 0, 0]]
-        >>> align_in_positions(rate, [[0, 9.8, 0], [0, 9.8, 0]], turn).attitude
-        array([0., 0., 0., 1.])
-        """
+        """Quaternion (..., 4) of the first position, body to North, Up, East."""
         return from_euler_angles(self.heading, self.pitch, self.roll)
 
 

@@ -1,6 +1,11 @@
 """Would it pass? A ship's compass on the tests of the marine standards, in simulation.
 
-The standards are those of the IMO, A.424(XI) and A.821(19). ISO 8728 was not to be had.
+The limits are those of the International Maritime Organization, the IMO: Resolution A.821(19),
+1995, for high-speed craft, and A.424(XI), 1979, for other ships. Most grow with the latitude as its
+secant, as the error of a gyro does; two do not. Only the numbers are taken. `Limit.source` says
+where each stands, and `Limit.read` whether that place was read or is known at second hand. How to
+test is said by ISO 8728, which was not to be had.
+
 What the resolutions leave open is taken from a draft of ISO 22090-1 of the year 2000: what settled
 means and from what an error is counted (3.10 to 3.13), how the ship rolls and how hard it speeds up
 (6.6, 5.3.3). The turn is that of IMO A.821(19), 4.2.3, to the letter.
@@ -10,28 +15,179 @@ A simulation is not a type approval. It has no heat, no magnetic field, no shock
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
-from scipy.constants import degree, g, knot, minute
+from scipy.constants import degree, g, hour, knot, minute
 
 from driftlab.checks import (
     FloatArray,
     checked_instance,
+    finite_array,
     finite_number,
+    keep,
+    nonnegative_number,
     positive_number,
     shown,
+    truth_value,
     whole_number,
 )
-from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, checked_latitude, gravity
 from driftlab.motion.trajectory import Trajectory
 from driftlab.motion.vehicle import vehicle_trajectory
 
 from .noise import GyroNoise
 from .simulation import simulate_compass
-from .type_test_compass import FINE, Gyrocompass, Steps, checked_steps
-from .type_test_limits import LIMITS, TypeTest
+
+
+class Limit(NamedTuple):
+    """One limit of the standards.
+
+    Attributes
+    ----------
+    size : float
+        At the equator: rad, or s for a time.
+    secant : bool
+        Whether it is multiplied by the secant of the latitude.
+    source : str
+        Document and paragraph.
+    read : bool
+        Whether that paragraph was read for this book; else the number is known at second hand.
+    """
+
+    size: float
+    secant: bool
+    source: str
+    read: bool = True
+
+    def at(self, latitude: float) -> float:
+        """Return the limit at a latitude, rad: an angle, rad, or a time, s."""
+        place = float(checked_latitude(finite_number(latitude, "latitude")))
+        return self.size / float(np.cos(place)) if self.secant else self.size
+
+
+LIMITS: dict[str, Limit] = {
+    "settling": Limit(6 * hour, False, "A.821(19), 4.1.1"),
+    "settle point": Limit(0.75 * degree, True, "A.821(19), 4.1.2"),
+    "scatter": Limit(0.25 * degree, True, "A.821(19), 4.1.2"),
+    "repeatability": Limit(0.25 * degree, True, "A.821(19), 4.1.3"),
+    "steady way": Limit(0.25 * degree, True, "A.821(19), 4.2.3"),
+    "change of speed": Limit(2.0 * degree, False, "A.821(19), 4.2.3"),
+    "turn": Limit(3.0 * degree, False, "A.821(19), 4.2.3"),
+    "sea": Limit(1.0 * degree, True, "A.424(XI)", read=False),
+}
+"""By test. A.424(XI), at second hand, has the first two as well, and that of a steady way for 20
+knots in place of 70."""
+
+
+class TypeTest(NamedTuple):
+    """What a compass did on each test at one latitude.
+
+    Attributes
+    ----------
+    latitude : float
+        rad.
+    measured : dict of float
+        By test, as in `LIMITS`: rad, or s.
+    """
+
+    latitude: float
+    measured: dict[str, float]
+
+    @property
+    def shares(self) -> dict[str, float]:
+        """Measured over limit, by test; more than 1 fails."""
+        if unknown := self.measured.keys() - LIMITS.keys():
+            raise ValueError(
+                f"measured: expected some of {', '.join(LIMITS)}, got {unknown.pop()!r}."
+            )
+        return {n: float(x / LIMITS[n].at(self.latitude)) for n, x in self.measured.items()}
+
+    @property
+    def passed(self) -> dict[str, bool]:
+        """Whether it is within the limit, by test."""
+        return {name: share <= 1 for name, share in self.shares.items()}
+
+
+class Steps(NamedTuple):
+    """How finely the tests are simulated.
+
+    Attributes
+    ----------
+    quay, speed, turn, sea : float
+        Interval of the simulation of each, s.
+    rolling : float
+        Duration of the test at sea, s.
+    """
+
+    quay: float = 60.0
+    speed: float = 6.0
+    turn: float = 0.5
+    sea: float = 0.5
+    rolling: float = 25 * minute
+
+
+FINE = Steps()
+COARSE = Steps(quay=200.0, speed=18.0, turn=3.0, sea=1.0)
+"""Several times faster; a horizon damped by a log then turns with up to 0.3 degrees too much."""
+_NO_NOISE = GyroNoise(white=0.0, slow=0.0)
+
+
+@dataclass(frozen=True)
+class Gyrocompass:
+    """What a type test wants to know of a compass.
+
+    Attributes
+    ----------
+    gyro_bias : tuple of float
+        That last from start to start, in body axes forward, up, right, rad/s.
+    gyro_noise : GyroNoise
+        Of each gyro; its slow part is new at each start.
+    accelerometer_bias : tuple of float
+        In body axes, m/s^2.
+    damping : float
+        Damping ratio of the horizon at work, at least 0.
+    log : bool
+        Whether a log tells the velocity. Without one the speed error is taken out by the true way,
+        as by a table, and the damping feels the accelerations.
+    log_scale : float
+        Relative error of what the log tells.
+    alignment_time : float
+        s.
+
+    Examples
+    --------
+    >>> Gyrocompass(damping=0.5, log=True).alignment_time
+    60.0
+    """
+
+    gyro_bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    gyro_noise: GyroNoise = _NO_NOISE
+    accelerometer_bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    damping: float = 0.0
+    log: bool = False
+    log_scale: float = 0.0
+    alignment_time: float = 60.0
+
+    def __post_init__(self) -> None:
+        for name in ("gyro_bias", "accelerometer_bias"):
+            bias = finite_array(getattr(self, name), name, 3)
+            if bias.ndim > 1:
+                raise ValueError(f"{name}: expected shape (3,), got {bias.shape}.")
+            keep(self, **{name: tuple(bias.tolist())})
+        checked_instance(self.gyro_noise, GyroNoise, "gyro_noise")
+        keep(
+            self,
+            damping=nonnegative_number(self.damping, "damping"),
+            log=truth_value(self.log, "log"),
+            alignment_time=positive_number(self.alignment_time, "alignment_time"),
+            log_scale=finite_number(self.log_scale, "log_scale"),
+        )
+        if self.log_scale and not self.log:
+            raise ValueError("log_scale: expected zero without a log, got an error of one.")
+
 
 _MOST_LATITUDE = np.radians(85.0)
 _FASTEST = 100.0  # m/s: nearly 200 knots
@@ -114,7 +270,7 @@ def marine_type_test(
         raise ValueError(
             f"speed: expected m/s, at most {_FASTEST:g}, got {shown(speed)}: is it in knots?"
         )
-    fine = checked_steps(steps)
+    fine = _checked_steps(steps)
     count = whole_number(starts, "starts", least=2)
     mounted = _at_its_worst(compass, place)
     rng = np.random.default_rng(whole_number(seed, "seed", least=0, most=None))
@@ -125,6 +281,21 @@ def marine_type_test(
         | _turn(mounted, _turning(place, way, _turn_step(compass, fine)), way, rng)
         | _at_sea(mounted, _rolling(place, fine.sea, fine.rolling), rng),
     )
+
+
+def _checked_steps(steps: Steps) -> Steps:
+    """Return steps that are fine enough for each test, none longer than that of `COARSE`."""
+    checked_instance(steps, Steps, "steps")
+    for name, most in COARSE._asdict().items():
+        size = positive_number(getattr(steps, name), f"steps.{name}")
+        if name == "rolling":
+            if size < minute:
+                raise ValueError(f"steps.rolling: expected at least a minute, got {shown(size)}.")
+        elif size > most:
+            raise ValueError(
+                f"steps.{name}: expected at most {most:g} s, as in COARSE, got {shown(size)}."
+            )
+    return steps
 
 
 def _turn_step(compass: Gyrocompass, steps: Steps) -> float:
@@ -229,7 +400,7 @@ def _turn(
         return errors[before:] - errors[before]
 
     if any(compass.accelerometer_bias):
-        quiet = replace(compass, gyro_noise=GyroNoise(white=0.0, slow=0.0))
+        quiet = replace(compass, gyro_noise=_NO_NOISE)
         worst = max(_MOUNTINGS, key=lambda aside: _most(off(_turned(quiet, aside))))
         compass = _turned(compass, worst)
     return {"turn": _most(off(compass))}

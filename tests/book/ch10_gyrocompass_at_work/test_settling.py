@@ -10,8 +10,8 @@ from driftlab.book.ch10_gyrocompass_at_work.experiments.settling import (
     settled_deviation,
 )
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.gyrocompass.gains import damped_gains, schuler_gains
 from driftlab.gyrocompass.levelling import LevelFrame, propagate_level_frame
+from driftlab.gyrocompass.levelling_loop import damped_gains, schuler_gains
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu
 from support import EPS

@@ -20,9 +20,7 @@ from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship_
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.noise import GyroNoise
 from driftlab.gyrocompass.simulation import simulate_compass
-from driftlab.gyrocompass.type_test import marine_type_test
-from driftlab.gyrocompass.type_test_compass import COARSE, Gyrocompass
-from driftlab.gyrocompass.type_test_limits import LIMITS, TypeTest
+from driftlab.gyrocompass.type_test import COARSE, LIMITS, Gyrocompass, TypeTest, marine_type_test
 
 from .experiments import GYRO_BIAS, TUNING_FACTORS, error_table
 from .figures.operation import OperationPicture

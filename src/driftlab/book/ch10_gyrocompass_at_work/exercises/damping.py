@@ -7,8 +7,7 @@ from driftlab.book.machinery.exercise.exercise import Exercise
 from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE, SCHULER_PERIOD
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE, gravity
-from driftlab.gyrocompass.gains import damped_gains
-from driftlab.gyrocompass.levelling_loop import level_loop
+from driftlab.gyrocompass.levelling_loop import damped_gains, level_loop
 
 from ..experiments import SWELL
 

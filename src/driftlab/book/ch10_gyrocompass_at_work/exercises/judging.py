@@ -10,7 +10,7 @@ from driftlab.book.machinery.exercise.exercise import Exercise
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.trials import range_over_deviation
-from driftlab.gyrocompass.type_test_limits import LIMITS
+from driftlab.gyrocompass.type_test import LIMITS
 
 from ..experiments import RESTARTS, TRIALS
 

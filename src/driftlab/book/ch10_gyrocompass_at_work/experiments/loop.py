@@ -11,8 +11,7 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE, SCHULER_PERIOD
 from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.gyrocompass.gains import damped_gains, schuler_gains
-from driftlab.gyrocompass.levelling_loop import LevelLoop, level_loop
+from driftlab.gyrocompass.levelling_loop import LevelLoop, damped_gains, level_loop, schuler_gains
 from driftlab.gyrocompass.simulation import simulate_compass
 from driftlab.motion.vehicle import vehicle_trajectory
 

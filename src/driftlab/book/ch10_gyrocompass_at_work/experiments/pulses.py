@@ -5,8 +5,8 @@ import numpy as np
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.gyrocompass.alignment import align
-from driftlab.gyrocompass.gains import damped_gains
 from driftlab.gyrocompass.levelling import initial_level_frame, propagate_level_frame
+from driftlab.gyrocompass.levelling_loop import damped_gains
 from driftlab.recordings.publishers import published
 from driftlab.vectors import wrap_angle
 

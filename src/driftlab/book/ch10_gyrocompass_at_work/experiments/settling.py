@@ -8,8 +8,8 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.gyrocompass.gains import damped_gains, schuler_gains
 from driftlab.gyrocompass.levelling import LevelFrame, propagate_level_frame
+from driftlab.gyrocompass.levelling_loop import damped_gains, schuler_gains
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import from_rotation_vector, to_rotation_vector

@@ -12,9 +12,7 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, finite_array
 from driftlab.earth import EARTH_RATE
-from driftlab.gyrocompass.type_test import marine_type_test
-from driftlab.gyrocompass.type_test_compass import COARSE, FINE, Gyrocompass
-from driftlab.gyrocompass.type_test_limits import LIMITS
+from driftlab.gyrocompass.type_test import COARSE, FINE, LIMITS, Gyrocompass, marine_type_test
 
 from .dial import PAPER_LARGEST
 from .voyages import DAMPING

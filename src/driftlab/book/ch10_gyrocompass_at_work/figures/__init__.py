@@ -8,7 +8,7 @@ from driftlab.book.machinery.figure.publish import FigureDefinition
 from driftlab.book.machinery.scene.published import scene_figure
 from driftlab.book.scenarios import SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
-from driftlab.gyrocompass.type_test_limits import LIMITS
+from driftlab.gyrocompass.type_test import LIMITS
 from driftlab.recordings.publishers import PUBLISHED
 
 from .. import experiments

@@ -12,7 +12,7 @@ from driftlab.book.machinery.figure.picture import (
     Picture,
     legend_below_all,
 )
-from driftlab.gyrocompass.type_test_limits import LIMITS, TypeTest
+from driftlab.gyrocompass.type_test import LIMITS, TypeTest
 
 from ..experiments import HIGH, LOW
 

@@ -8,8 +8,8 @@ from scipy.constants import hour, knot, minute
 
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.alignment import align, alignment_errors
-from driftlab.gyrocompass.gains import schuler_gains
 from driftlab.gyrocompass.heading_error import speed_error
+from driftlab.gyrocompass.levelling_loop import schuler_gains
 
 from .question import Answer, Part, Question, plain, shown
 
