@@ -9,11 +9,9 @@ from . import (
 from .profiles import (
     Coning as Coning,
     FixedAxis as FixedAxis,
-    Motion as Motion,
     Sway as Sway,
 )
 from .scheme import (
-    DIRECTIONS as DIRECTIONS,
     EIGHTEEN_ROTATIONS as EIGHTEEN_ROTATIONS,
     NINETEEN_POSITIONS as NINETEEN_POSITIONS,
     SCHEMES as SCHEMES,
@@ -22,11 +20,7 @@ from .scheme import (
 from .table_turn import (
     TableTurn as TableTurn,
 )
-from .trajectory import (
-    Trajectory as Trajectory,
-)
 from .turntable import (
-    Segment as Segment,
     segments as segments,
     static_trajectory as static_trajectory,
     table_trajectory as table_trajectory,

@@ -27,79 +27,21 @@ from driftlab.core.quaternion import from_rotation_vector, multiply
 
 
 class Motion(ABC):
-    """A test motion: exact attitude, body rate and angle increments.
-
-    Examples
-    --------
-    >>> motions: list[Motion] = [Coning(0.1, 1.0), Sway(0.1, 1.0), FixedAxis(0.1, 1.0)]
-    >>> [motion.increments(interval=0.01, count=5).shape for motion in motions]
-    [(5, 3), (5, 3), (5, 3)]
-    """
+    """A test motion: exact attitude, body rate and angle increments."""
 
     def attitude(self, time: ArrayLike) -> FloatArray:
-        """Exact attitude at given times.
-
-        Parameters
-        ----------
-        time : array_like, shape (...)
-            s.
-
-        Returns
-        -------
-        ndarray, shape (..., 4)
-            Unit quaternions, body to reference.
-
-        Examples
-        --------
-        >>> Coning(half_angle=np.pi, frequency=1.0).attitude([0.0, 0.25]).round(9)
-        array([[1., 0., 0., 0.],
-               [0., 1., 0., 0.]])
-        """
+        """Exact attitude at times (...) in s: unit quaternions (..., 4), body to reference."""
         return self._attitude(finite_array(time, "time"))
 
     def rate(self, time: ArrayLike) -> FloatArray:
-        """Exact angular rate at given times.
-
-        Parameters
-        ----------
-        time : array_like, shape (...)
-            s.
-
-        Returns
-        -------
-        ndarray, shape (..., 3)
-            Rate in body axes, rad/s.
-
-        Examples
-        --------
-        >>> Coning(half_angle=0.1, frequency=1.0).rate(0.25).round(4)
-        array([-0.6273, 0. , -0.0314])
-        """
+        """Exact angular rate (..., 3) in body axes, rad/s, at times (...) in s."""
         return self._rate(finite_array(time, "time"))
 
     def increments(self, interval: float, count: int) -> FloatArray:
-        """Angle increments of ideal gyros: integrals of the body rate over equal intervals.
+        """Angle increments (n, 3) of ideal gyros, rad, over n intervals of so many s from time 0.
 
-        Parameters
-        ----------
-        interval : float
-            Sample interval, s; of `Sway` at most a quarter of the period of the roll.
-        count : int
-            Number n of intervals, the first of which begins at time 0.
-
-        Returns
-        -------
-        ndarray, shape (n, 3)
-            rad.
-
-        Examples
-        --------
-        Of the first and the third gyro on a cone, over the two halves of a period:
-
-        >>> increments = Coning(half_angle=0.1, frequency=1.0).increments(interval=0.5, count=2)
-        >>> increments[:, [0, 2]].round(4)
-        array([[-0.1997, -0.0157],
-               [ 0.1997, -0.0157]])
+        They are integrals of the body rate. Of `Sway` an interval is at most a quarter of the
+        period of the roll.
         """
         step = positive_number(interval, "interval")
         middle = step * (np.arange(whole_number(count, "count"), dtype=np.float64) + 0.5)

@@ -83,19 +83,7 @@ class Scheme:
 
     @property
     def turns(self) -> list[tuple[FloatArray, float]]:
-        """Axis and signed angle of each rotation.
-
-        Returns
-        -------
-        list of tuple
-            For each rotation a unit vector (3,) in body axes and an angle in rad.
-
-        Examples
-        --------
-        >>> axis, angle = Scheme("-180X").turns[0]
-        >>> print(axis, round(angle, 4))
-        [1. 0. 0.] -3.1416
-        """
+        """Axis (3,) in body axes, a unit vector, and signed angle, rad, of each rotation."""
         turns = []
         for word in self.rotations.replace("−", "-").split():
             match = re.fullmatch(r"([+-]\d+(?:\.\d+)?)([A-Za-z])", word)
@@ -113,43 +101,11 @@ class Scheme:
 
     @property
     def positions(self) -> int:
-        """Number of pauses, one more than rotations.
-
-        Returns
-        -------
-        int
-            At least 1.
-
-        Examples
-        --------
-        >>> NINETEEN_POSITIONS.positions
-        19
-        """
+        """Number of pauses, one more than rotations."""
         return len(self.turns) + 1
 
     def lasting(self, duration: float) -> Scheme:
-        """Return the same rotations with pauses such that all of it takes a given time.
-
-        Parameters
-        ----------
-        duration : float
-            Of all pauses and rotations, s.
-
-        Returns
-        -------
-        Scheme
-            Its pauses are equal.
-
-        Raises
-        ------
-        ValueError
-            If the rotations alone take as long.
-
-        Examples
-        --------
-        >>> Scheme("+90Z -90Z", rate=np.radians(9.0)).lasting(50.0).dwell
-        10.0
-        """
+        """Return the same rotations with equal pauses such that all of it takes `duration`, s."""
         turning = sum(abs(angle) for _, angle in self.turns) / self.rate
         if not finite_number(duration, "duration") > turning:
             raise ValueError(
@@ -160,18 +116,7 @@ class Scheme:
 
     @property
     def start_attitude(self) -> FloatArray:
-        """Attitude at the start.
-
-        Returns
-        -------
-        ndarray, shape (4,)
-            Unit quaternion, body to East, North, Up.
-
-        Examples
-        --------
-        >>> Scheme("+90Z", start=("North", "West", "Up")).start_attitude.round(4)
-        array([0. , 0. , 0.7071, 0.7071])
-        """
+        """Attitude at the start (4,), unit quaternion, body to East, North, Up."""
         # The columns of the matrix are where the body axes point.
         columns = np.array([DIRECTIONS[word] for word in self.start], float).T
         return Rotation.from_matrix(columns).as_quat()

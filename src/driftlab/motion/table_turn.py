@@ -105,58 +105,19 @@ class TableTurn:
 
     @property
     def duration(self) -> float:
-        """Time from the start to the end of the record.
-
-        Returns
-        -------
-        float
-            s.
-
-        Examples
-        --------
-        >>> print(f"{TableTurn(rate=np.radians(-10.0), turns=2, rest=5.0).duration:.1f}")
-        77.0
-        """
+        """Time from the start to the end of the record, s."""
         return self._until_braking + self.ramp + self.rest
 
     @property
     def mean_rate(self) -> float:
-        """Whole turns over the whole time, with the sign of the sense.
+        """Whole turns over the whole time, rad/s, with the sign of the sense.
 
-        The Earth and a gyro bias add themselves up over the whole time, so this is the rate that
-        counts for them.
-
-        Returns
-        -------
-        float
-            rad/s.
-
-        Examples
-        --------
-        >>> slow = TableTurn(rate=np.radians(10.0), rest=36.0)
-        >>> print(f"{np.degrees(slow.mean_rate):.1f}")
-        5.0
+        It is the rate that counts for the Earth and a gyro bias, which add up over the whole time.
         """
         return float(np.copysign(2 * np.pi * self.turns / self.duration, self.rate))
 
     def angle(self, times: ArrayLike) -> FloatArray:
-        """Angle by which the table has turned against the Earth.
-
-        Parameters
-        ----------
-        times : array_like, shape (...)
-            Times since the start, s.
-
-        Returns
-        -------
-        ndarray, shape (...)
-            rad, with the sign of the sense.
-
-        Examples
-        --------
-        >>> np.degrees(TableTurn(rate=np.radians(10.0), ramp=2.0).angle([0, 2, 20, 38])).round(9)
-        array([  0.,  10., 190., 360.])
-        """
+        """Angle (...) by which the table has turned against the Earth at times (...), s; rad."""
         since = finite_array(times, "times")
         return self.rate * (self._gathered(since) - self._gathered(since - self._until_braking))
 
@@ -168,29 +129,10 @@ class TableTurn:
         return growing**2 / (2 * self.ramp) + np.maximum(since - self.ramp, 0.0)
 
     def increments(self, axis: ArrayLike, samples: int) -> Increments:
-        """Return the increments of ideal gyros and accelerometers over equal intervals.
+        """Return increments (..., n, 3) of ideal sensors over n equal intervals, exact to rounding.
 
-        Parameters
-        ----------
-        axis : array_like, shape (..., 3)
-            Body axis that lies along the table's axis; only its direction counts. The shorter
-            rotation from the one to the other says how the sides of the body point at the start.
-        samples : int
-            Number n of intervals in the whole duration, at least eight in a turn.
-
-        Returns
-        -------
-        Increments
-            Of ideal sensors, arrays of shape (..., n, 3), exact to rounding.
-
-        Examples
-        --------
-        A gyro upright on the table feels the whole turn and the upward part of the Earth's rate:
-
-        >>> turn = TableTurn(rate=np.radians(10.0), latitude=np.radians(30.0))
-        >>> felt = turn.increments([0, 0, 1], samples=360).angle[:, 2].sum()
-        >>> print(f"{felt - 2 * np.pi:.6e} {turn.duration * earth_rate(turn.latitude)[2]:.6e}")
-        1.312581e-03 1.312581e-03
+        The body axis (..., 3) lies along the table's axis; the shorter rotation from the one to the
+        other says how the sides of the body point at the start. A turn has at least eight samples.
         """
         n, _ = nonzero_vectors(axis, "axis")
         count = whole_number(samples, "samples", least=8 * self.turns)
@@ -231,30 +173,7 @@ class TableTurn:
         return np.asarray(sums / np.diff(times))
 
     def seen_at_start(self, fixed: ArrayLike, axis: ArrayLike) -> FloatArray:
-        """Components in body axes, at the start, of a vector fixed to the Earth.
-
-        Parameters
-        ----------
-        fixed : array_like, shape (3,)
-            East, North, Up, in any unit.
-        axis : array_like, shape (..., 3)
-            Body axis that lies along the table's axis; only its direction counts.
-
-        Returns
-        -------
-        ndarray, shape (..., 3)
-            Body axes, in the same unit.
-
-        Examples
-        --------
-        The body's x axis points up, and its z axis where the shorter rotation has brought it:
-
-        >>> turn = TableTurn(rate=0.2)
-        >>> turn.seen_at_start([0, 0, 1], axis=[1, 0, 0]).round(9)
-        array([1., 0., 0.])
-        >>> turn.seen_at_start([1, 0, 0], axis=[1, 0, 0]).round(9)
-        array([ 0.,  0., -1.])
-        """
+        """Components (..., 3) in body axes, at the start, of a vector (3,) in East, North, Up."""
         fixed = finite_array(fixed, "fixed", 3)
         n, _ = nonzero_vectors(axis, "axis")
         a, _ = nonzero_vectors(self.table_axis, "table_axis")

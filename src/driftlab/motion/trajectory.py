@@ -26,13 +26,6 @@ class Trajectory(NamedTuple):
     local_axes : str
         Order of the local axes: "East, North, Up" on a turntable (Part III), "North, Up, East" on
         a vehicle (Part IV), as in the papers.
-
-    Examples
-    --------
-    >>> from driftlab.motion import Scheme, table_trajectory
-    >>> turned = table_trajectory(Scheme("+90Z", dwell=1.0), latitude=0.7, interval=0.5)
-    >>> turned.increments.angle.shape, turned.attitude.shape
-    ((22, 3), (23, 4))
     """
 
     increments: Increments
@@ -43,17 +36,5 @@ class Trajectory(NamedTuple):
 
     @property
     def times(self) -> FloatArray:
-        """Times of the attitudes, counted from the start.
-
-        Returns
-        -------
-        ndarray, shape (n + 1,)
-            s.
-
-        Examples
-        --------
-        >>> from driftlab.motion import static_trajectory
-        >>> static_trajectory([0, 0, 0, 1], latitude=0.7, interval=0.5, count=3).times
-        array([0. , 0.5, 1. , 1.5])
-        """
+        """Times (n + 1,) of the attitudes, s, counted from the start."""
         return np.asarray(self.increments.interval * np.arange(len(self.attitude)), np.float64)

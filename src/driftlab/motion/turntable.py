@@ -37,12 +37,6 @@ class Segment(NamedTuple):
         s.
     attitude : ndarray, shape (4,)
         Attitude at the beginning, body to East, North, Up.
-
-    Examples
-    --------
-    >>> pause, rotation, _ = segments(Scheme("-90Z", dwell=1.0), interval=0.5)
-    >>> print(pause.rate, f"{np.degrees(rotation.rate):.1f}")
-    0.0 -10.0
     """
 
     axis: FloatArray
