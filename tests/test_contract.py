@@ -384,9 +384,7 @@ WITHOUT_AXES = (
     "duration",
     "averaging_times",
     "dial",
-    "level_rate",
     "turn_angle",
-    "up_rate",
     "north_error",
     "latitude_error",
     "longitude_error",
@@ -396,7 +394,7 @@ WITHOUT_AXES = (
 )
 # To have no history is not bad, gravity is known where none is given, and some errors need no
 # attitude.
-ALLOWED = [("history", "none"), ("gravity", "none"), ("true_attitude", "none"), ("up_rate", "none")]
+ALLOWED = [("history", "none"), ("gravity", "none"), ("true_attitude", "none")]
 
 every_function = pytest.mark.parametrize(
     ("function", "good"), CASES.items(), ids=[function.__name__ for function in CASES]

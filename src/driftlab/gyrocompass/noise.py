@@ -54,6 +54,12 @@ class GyroNoise:
     >>> noise = GyroNoise()
     >>> [round(noise.deviation_of_mean(count) / degree * hour, 3) for count in (1, 36000)]
     [0.5, 0.009]
+    >>> noise.samples(5, np.random.default_rng(1), 2).shape  # of two gyros
+    (2, 5)
+    >>> noise.sampled_every(1.0).interval
+    1.0
+    >>> (noise.allan_deviation([0.1, 3600.0]) / degree * hour).round(3)
+    array([0.5  , 0.006])
     """
 
     white: float = 0.5 * degree / hour

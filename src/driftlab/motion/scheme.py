@@ -56,8 +56,8 @@ class Scheme:
     Examples
     --------
     >>> scheme = Scheme("+90Z -90Z", start=("North", "West", "Up"), dwell=60.0)
-    >>> scheme.positions
-    3
+    >>> scheme.positions, scheme.lasting(378.0).dwell
+    (3, 120.0)
     """
 
     rotations: str

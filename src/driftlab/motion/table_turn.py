@@ -65,6 +65,8 @@ class TableTurn:
     >>> back = TableTurn(rate=-np.radians(10.0), latitude=np.radians(37.5), ramp=2.0)
     >>> print(f"{there.duration:.1f} {np.degrees(back.mean_rate):.3f}")
     38.0 -9.474
+    >>> there.increments([0, 0, 1], samples=360).angle.shape, there.angle([19.0]).round(3)
+    ((360, 3), array([3.142]))
     """
 
     rate: float
