@@ -24,7 +24,7 @@ from driftlab.imu import NO_ERRORS
 CORES = {
     *("broadcast_imu_errors", "without_errors", "rate_changes", "felt_besides"),
     *("pitch_and_roll", "refuse_vertical", "step_drift", "attitude_of_axes", "step_in_word"),
-    *("free_rates", "free_transition", "transition", "transition_of_increments", "process_noise"),
+    *("free_transition", "transition_of_increments", "process_noise"),
     *("dead_channels", "longest_run", "clipped_rows", "twin_channels"),
 }
 # What functions return, and nobody makes by hand.

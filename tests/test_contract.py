@@ -44,8 +44,6 @@ from driftlab.calibration import (
     filter,
     kalman,
     matrix_conventions,
-    observability,
-    simulation as calibration_simulation,
     static_error_growth,
     static_navigation,
 )
@@ -325,10 +323,8 @@ APART = {
     increments.compensate,
     increments.checked_increments,
     error_dynamics.free_transition,
-    observability.error_rates,  # one attitude and one rate
     filter.calibrate,
     kalman.correct,
-    calibration_simulation.estimation_errors,
     body_axes.attitude_of_axes,
     body_axes.attitude_error,
     static_navigation.navigate_static,

@@ -159,7 +159,7 @@ TERMS = MappingProxyType({
         effect=lambda times, angle, velocity, change: np.abs(velocity),
     ),
 })  # fmt: skip
-"""The errors, by the names that `driftlab.calibration.ErrorModel.with_states` knows."""
+"""The errors, by the names that `driftlab.calibration.error_model.ErrorModel.with_states` knows."""
 
 NO_HIGHER_ORDER_ERRORS = HigherOrderErrors(
     **{term.field: np.zeros(term.shape) for term in TERMS.values()}

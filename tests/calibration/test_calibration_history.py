@@ -10,17 +10,9 @@ import pytest
 from scipy.constants import arcsecond, degree, g, hour, micro
 from scipy.stats import chi2, norm
 
-from driftlab.calibration import (
-    ERROR_MODELS,
-    FULL,
-    Calibration,
-    InconsistentWarning,
-    InnovationTest,
-    calibrate,
-    innovation_test,
-)
+from driftlab.calibration import ERROR_MODELS, FULL, InconsistentWarning, calibrate, innovation_test
 from driftlab.calibration._told import FITS, evidence
-from driftlab.calibration.calibration_history import CONFIDENCE
+from driftlab.calibration.calibration_history import CONFIDENCE, Calibration, InnovationTest
 from driftlab.calibration.filter import _normalised_innovations
 from driftlab.imu import NO_ERRORS, ImuNoise, PriorDeviations, random_imu_errors
 from driftlab.increments import Increments, measure

@@ -6,9 +6,9 @@ from scipy.linalg import expm
 
 from driftlab.calibration.body_axes import attitude_error
 from driftlab.calibration.error_dynamics import (
+    _transition,
     free_transition,
     process_noise,
-    transition,
     transition_of_increments,
 )
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
@@ -54,12 +54,12 @@ TURNED = np.radians(120)
 
 
 def growth_along(record, latitude, model):
-    """`transition` over a whole record, as the filter calls it: pairs, taken in their middles."""
+    """`_transition` over a whole record, as the filter calls it: pairs, taken in their middles."""
     pairs = len(record.increments.angle) // 2
     interval = 2 * record.increments.interval
     middles = interval * (np.arange(pairs) + 0.5)
     turned = from_rotation_vector(middles[:, np.newaxis] * earth_rate(latitude))
-    return transition(
+    return _transition(
         model,
         free_transition(latitude, pairs * interval),
         to_matrix(multiply(turned, record.attitude[1::2])),
@@ -112,10 +112,10 @@ def test_leading_axes_of_any_argument_count():
         "angle": rng.normal(size=(4, 3)),
         "velocity": rng.normal(size=(4, 3)),
     }
-    alone = transition(FULL, *plain.values(), weights)
+    alone = _transition(FULL, *plain.values(), weights)
     for name, value in plain.items():
         arguments = plain | {name: np.tile(value, (*lead, *[1] * value.ndim))}
-        found = transition(FULL, *arguments.values(), weights)
+        found = _transition(FULL, *arguments.values(), weights)
         assert found.shape == (*lead, 30, 30)
         np.testing.assert_allclose(found, np.broadcast_to(alone, found.shape), rtol=1e-12)
     force, durations = rng.normal(size=(3, 3)), np.array([1.0, 2.0])
@@ -165,7 +165,7 @@ def test_growth_in_a_pause_is_that_of_the_nonlinear_mechanisation(latitude):
 
 
 def random_interval(rng, lead, count):
-    """Arguments of `transition` after the free growth, of nothing in particular."""
+    """Arguments of `_transition` after the free growth, of nothing in particular."""
     return [
         to_matrix(random_quaternions(*lead, count, seed=int(rng.integers(1000)))),
         rng.normal(size=(*lead, count)),
@@ -181,14 +181,15 @@ def test_growth_over_two_halves_multiplies_to_that_over_the_whole(model):
     halves = [random_interval(rng, (2,), count) for count in (3, 4)]
     passed = [rng.normal(size=(count, count)) for count in (3, 4)]
     first, second = (
-        transition(model, np.eye(6), *half, part) for half, part in zip(halves, passed, strict=True)
+        _transition(model, np.eye(6), *half, part)
+        for half, part in zip(halves, passed, strict=True)
     )
     whole = [
         np.concatenate(pair, axis=1) for pair in zip(*halves, strict=True)
     ]  # behind one leading axis
     # All of the first half has passed in the second, and nothing of the second in the first.
     together = np.block([[passed[0], np.zeros((3, 4))], [np.ones((4, 3)), passed[1]]])
-    expected = transition(model, np.eye(6), *whole, together)
+    expected = _transition(model, np.eye(6), *whole, together)
     np.testing.assert_allclose(second @ first, expected, rtol=0, atol=1e-13)
 
 
@@ -196,9 +197,9 @@ def test_free_growth_comes_after_all_else():
     rng = np.random.default_rng(10)
     interval, passed = random_interval(rng, (), 3), np.tri(3)
     free = rng.normal(size=(6, 6))
-    plain = transition(FULL, np.eye(6), *interval, passed)
+    plain = _transition(FULL, np.eye(6), *interval, passed)
     expected = np.vstack([free @ plain[:6], plain[6:]])
-    found = transition(FULL, free, *interval, passed)
+    found = _transition(FULL, free, *interval, passed)
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-13)
 
 

@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.body_frames import BODY_FRAMES
 from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
-from driftlab.calibration.error_model import ERROR_MODELS, FULL, error_model_for
+from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.imu import ImuErrors, PriorDeviations, random_imu_errors
 from driftlab.quaternion import from_rotation_vector, multiply
 from driftlab.vectors import cross_matrix
@@ -46,7 +46,6 @@ def test_all_errors_make_thirty_states_and_a_choice_of_axes_twenty_seven():
     assert tuple(ERROR_MODELS) == BODY_FRAMES
     for frame, model in ERROR_MODELS.items():
         assert (model.size, model.frame) == (27, frame)
-        assert error_model_for(frame) is model
 
 
 @every_model
@@ -125,12 +124,6 @@ def test_states_and_units_have_leading_axes(model):
     expected[..., middle:] = many[1, 2, middle:]
     expected[..., :6] = 0
     np.testing.assert_allclose(model.state(mixed), expected, rtol=0, atol=16 * EPS)
-
-
-@pytest.mark.parametrize("name", ["", "Averaged", "all", None])
-def test_unknown_models_are_refused(name):
-    with pytest.raises(ValueError, match=rf"^name: expected one of averaged, .* got {name!r}\.$"):
-        error_model_for(name)
 
 
 # Reduction to the axes of a model

@@ -6,15 +6,10 @@ import re
 import numpy as np
 import pytest
 
-from driftlab.calibration import (
-    ERROR_MODELS,
-    Calibration,
-    KeptCalibration,
-    PoseCalibration,
-    calibration_document,
-    from_json,
-    to_json,
-)
+from driftlab.calibration import ERROR_MODELS, from_json, to_json
+from driftlab.calibration.calibration_history import Calibration
+from driftlab.calibration.interchange import KeptCalibration
+from driftlab.calibration.poses import PoseCalibration
 from driftlab.checks import UnusualWarning
 from driftlab.drift import PAIR_AXES, fit_turns
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS
@@ -142,7 +137,7 @@ def test_a_triad_that_reads_double_is_warned_of_and_kept():
 
 
 def with_change(change, found=UNIT):
-    document = calibration_document(found)
+    document = json.loads(to_json(found))
     change(document)
     return json.dumps(document)
 
@@ -221,7 +216,7 @@ SLIPS = {
         "quantities: expected all of angle_random_walk, .* got no velocity_random_walk",
     ),
     "twice": (
-        json.dumps(calibration_document(UNIT)).replace("accelerometer_bias", "gyro_bias"),
+        to_json(UNIT).replace("accelerometer_bias", "gyro_bias"),
         "source: expected each name once, got 'gyro_bias' again",
     ),
     "deg/s": (

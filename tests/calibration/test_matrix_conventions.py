@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.body_frames import body_frame_rotation
 from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
-from driftlab.calibration.body_axes import imu_errors_in_accelerometer_axes
+from driftlab.calibration.body_axes import imu_errors_in_frame
 from driftlab.calibration.matrix_conventions import (
     ImucalMatrices,
     ImuTkMatrices,
@@ -52,7 +52,7 @@ def readings_of(errors, rate, force, nominal):
 
 def lower_units():
     """Random units in body axes in which the accelerometers' matrix is zero above the diagonal."""
-    return imu_errors_in_accelerometer_axes(units(), "above")[0]
+    return imu_errors_in_frame(units(), "accelerometers")[0]
 
 
 MADE = {
@@ -118,12 +118,13 @@ def test_kalibrs_formula_makes_the_measurement():
 
 # IMU-TK on its own recording: zeros below the diagonal, as its program has it, and above.
 BELOW, ABOVE = (published.imu_errors for published in IMU_TK)
+AXES = ("lower triangle accelerometers", BELOW), ("accelerometers", ABOVE)
 
 
 def test_two_published_results_are_one_unit_in_two_body_axes():
     assert largest(BELOW.gyro_error - ABOVE.gyro_error) > 0.02
-    for start, zeros, goal in ((BELOW, "above", ABOVE), (ABOVE, "below", BELOW)):
-        turned, _ = imu_errors_in_accelerometer_axes(start, zeros)
+    for start, axes, goal in ((BELOW, *AXES[1]), (ABOVE, *AXES[0])):
+        turned, _ = imu_errors_in_frame(start, axes)
         # Six digits of the scales are 2.4e-6 of them, five of T 5e-7.
         assert largest(turned.gyro_error - goal.gyro_error) < 4e-6
         assert largest(turned.accelerometer_error - goal.accelerometer_error) < 4e-6
@@ -160,12 +161,12 @@ def test_factory_sheet_is_imu_tks_result_within_its_rounding():
     inverse = XSENS.imu_errors(
         gains[0] @ np.linalg.inv(gyros), gyro_b, gains[1] @ np.linalg.inv(accelerometers), offset
     )
-    for zeros, published in (("below", BELOW), ("above", ABOVE)):
-        turned, _ = imu_errors_in_accelerometer_axes(sheet, zeros)
+    for axes, published in AXES:
+        turned, _ = imu_errors_in_frame(sheet, axes)
         assert largest(turned.accelerometer_error - published.accelerometer_error) < 0.010
         assert largest(turned.gyro_error - published.gyro_error) < 0.015
         assert largest(turned.accelerometer_bias - published.accelerometer_bias) < 0.02
-        wrong, _ = imu_errors_in_accelerometer_axes(inverse, zeros)
+        wrong, _ = imu_errors_in_frame(inverse, axes)
         assert largest(wrong.gyro_error - published.gyro_error) > 0.05
 
 
@@ -297,8 +298,8 @@ SENTENCES = {
         r"^gyro_zero: expected shape \(\) or \(3,\), got shape \(4,\)",
     ),
     "other word": (
-        lambda: imu_errors_in_accelerometer_axes(NO_ERRORS, "left"),
-        "^zeros: expected one of above, below, got 'left'",
+        lambda: imu_errors_in_frame(NO_ERRORS, "left"),
+        "^frame: expected one of averaged, .* accelerometers, got 'left'",
     ),
 }
 

@@ -14,9 +14,9 @@ from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.calibration.observability import (
     UnobservableWarning,
+    _warn_if_unobservable,
     observability_matrix,
     unobservable_subspace,
-    warn_if_unobservable,
 )
 from driftlab.earth import gravity
 from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
@@ -93,7 +93,7 @@ def test_all_is_observable_once_the_axes_are_chosen(scheme, frame):
     assert unobservable.eigenvalues[0] > 1e-9 * unobservable.eigenvalues[-1]
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        warn_if_unobservable(way)
+        _warn_if_unobservable(way)
 
 
 @pytest.mark.parametrize("latitude", np.radians([0.0, -37.5, 80.0]))
@@ -251,7 +251,7 @@ def test_warning_names_what_is_unobservable():
         match=r"^scheme: leaves 3 directions of 27 unobservable: 3 among accelerometer scale z, "
         r"accelerometer installation xz, accelerometer installation yz\.$",
     ) as caught:
-        warn_if_unobservable(linearize_along(scheme, LATITUDE, AVERAGED))
+        _warn_if_unobservable(linearize_along(scheme, LATITUDE, AVERAGED))
     # It points to the line that asked.
     assert [warning.filename for warning in caught] == [__file__]
 
@@ -262,7 +262,7 @@ def test_warning_names_triads_turned_together():
         match=r"^scheme: leaves 3 directions of 30 unobservable: both triads turned together about "
         r"x, the attitude with them; .* about y, .*; .* about z, the attitude with them\.$",
     ):
-        warn_if_unobservable(linearize_along(NINETEEN_POSITIONS, LATITUDE))
+        _warn_if_unobservable(linearize_along(NINETEEN_POSITIONS, LATITUDE))
 
 
 # The way along a scheme

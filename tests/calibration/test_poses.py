@@ -12,8 +12,8 @@ from scipy.spatial.transform import Rotation
 from driftlab.attitude import CONING_ALGORITHMS, integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
 from driftlab.calibration import FULL, InconsistentWarning
-from driftlab.calibration.body_axes import imu_errors_in_frame
-from driftlab.calibration.poses import POSE_AXES, Consistency, _variances, calibrate_by_poses
+from driftlab.calibration.body_axes import POSE_AXES, imu_errors_in_frame
+from driftlab.calibration.poses import Consistency, _variances, calibrate_by_poses
 from driftlab.core import poses as core
 from driftlab.core.poses import UNKNOWNS, PoseModel, Poses, Variances, fit_poses, row_variance
 from driftlab.core.quaternion import conjugate

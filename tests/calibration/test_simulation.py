@@ -17,7 +17,8 @@ from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.filter import Calibration
 from driftlab.calibration.observability import UnobservableWarning
-from driftlab.calibration.simulation import TableTrial, Trial, estimation_errors
+from driftlab.calibration.simulation import TableTrial, Trial, _estimation_errors
+from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors, ImuNoise, PriorDeviations, random_imu_errors
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
 from driftlab.motion.turntable import table_trajectory
@@ -362,14 +363,16 @@ def test_errors_of_a_perfect_calibration_are_zero(frame):
         np.zeros((2, 5, 3)),
         np.zeros((2, 5)),
     )
-    np.testing.assert_allclose(estimation_errors(found, units, attitude), 0, atol=16 * EPS)
+    np.testing.assert_allclose(
+        _estimation_errors(found, units, attitude, NO_HIGHER_ORDER_ERRORS), 0, atol=16 * EPS
+    )
     put_in = 1e-5 * rng.standard_normal((2, 5, model.size))
     wrong = found._replace(
         state=state - np.concatenate([np.zeros((2, 5, 6)), put_in[..., 6:]], axis=-1),
         attitude=multiply(from_rotation_vector(-put_in[..., :3]), found.attitude),
         velocity=put_in[..., 3:6],
     )
-    errors = estimation_errors(wrong, units, attitude)
+    errors = _estimation_errors(wrong, units, attitude, NO_HIGHER_ORDER_ERRORS)
     np.testing.assert_allclose(errors, put_in, rtol=0, atol=16 * EPS)
     # Squared, in units of a deviation of two.
     trial = Trial(wrong, units, errors)
@@ -421,7 +424,12 @@ def test_errors_count_against_the_attitude_at_the_times_of_the_history():
     np.testing.assert_array_equal(places, np.arange(6, len(record.attitude), 6))
     np.testing.assert_array_equal(
         trial.errors,
-        estimation_errors(trial.calibration, trial.imu_errors, record.attitude[places]),
+        _estimation_errors(
+            trial.calibration,
+            trial.imu_errors,
+            record.attitude[places],
+            NO_HIGHER_ORDER_ERRORS,
+        ),
     )
     # A place too early or too late would be wrong by degrees.
     assert np.abs(trial.errors[:, :3]).max() < 10 * BRIEF.prior.attitude

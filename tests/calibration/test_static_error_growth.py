@@ -10,9 +10,7 @@ from driftlab.calibration.static_error_growth import (
     STATIC_CAUSES,
     schuler_position,
     static_causes,
-    static_error_matrix,
     static_error_modes,
-    static_error_rates,
     static_errors,
 )
 from driftlab.calibration.static_navigation import navigate_static
@@ -33,8 +31,8 @@ SCALES = np.array([1.0] * 3 + [8e3] * 2 + [6.4e6] * 2)
 @pytest.mark.parametrize("degrees", [0.0, 1e-3, 37.5, -60.0, 89.9])
 def test_rates_are_the_eigenvalues_of_the_matrix(degrees):
     latitude = np.radians(degrees)
-    rates = static_error_rates(latitude)
-    found = np.linalg.eigvals(static_error_matrix(latitude)[:, :7])
+    modes = static_error_modes(latitude)
+    rates, found = modes.rates, np.linalg.eigvals(modes.matrix[:, :7])
     # Rounding beside Schuler's rate of 1e-3; the matrix holds 9.8 and 1e-7, hence 1e-12.
     np.testing.assert_allclose(found.real, 0, rtol=0, atol=1e-12)
     expected = np.sort([0.0, *rates, *(-rate for rate in rates)])
@@ -44,7 +42,7 @@ def test_rates_are_the_eigenvalues_of_the_matrix(degrees):
 @pytest.mark.parametrize("latitude", LATITUDES)
 def test_schulers_pair_is_split_by_the_earth_under_it(latitude):
     """On a sphere w² ± ... exactly; the ellipsoid moves the pair by its flattening, 1/298."""
-    rates = static_error_rates(latitude)
+    rates = static_error_modes(latitude).rates
     schuler = np.sqrt(float(gravity(latitude)) / EARTH_RADIUS)
     assert rates.schuler == pytest.approx(schuler, rel=1 / 298)
     # Without the Earth's turn the two radii alone, apart by 2/298 at most, split it by w/298.
@@ -55,9 +53,10 @@ def test_schulers_pair_is_split_by_the_earth_under_it(latitude):
 @pytest.mark.parametrize("latitude", [*LATITUDES, 0.0])
 def test_sum_of_modes_is_the_matrix_exponential(latitude):
     whole = np.zeros((12, 12))
-    whole[:7] = static_error_matrix(latitude)
+    modes = static_error_modes(latitude)
+    whole[:7] = modes.matrix
     times = np.array([0.0, 600.0, 5000.0, DAY])
-    found = static_error_modes(latitude).at(times).sum(axis=0)
+    found = modes.at(times).sum(axis=0)
     sizes = np.concatenate([SCALES, [1e-3] * 3, [9.8] * 2])
     for one, time in zip(found, times, strict=True):
         expected = expm(whole * time)[:7] * sizes / SCALES[:, np.newaxis]
@@ -153,8 +152,8 @@ def test_only_a_bias_along_the_earths_axis_grows_without_end():
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: static_error_rates(1.6), "latitude: expected at most 89.9 degrees"),
-        (lambda: static_error_matrix([0.1]), "latitude: expected one number, got shape (1,)"),
+        (lambda: static_error_modes(1.6), "latitude: expected at most 89.9 degrees"),
+        (lambda: static_error_modes([0.1]), "latitude: expected one number, got shape (1,)"),
         (lambda: static_errors(3.0, 0.1, np.zeros(12)), "times: expected shape (k,), got shape ()"),
         (lambda: static_errors([3.0], 0.1, np.zeros(7)), "causes: expected shape (..., 12)"),
         (lambda: schuler_position([3.0], 0.1, [np.nan] * 12), "causes: expected finite numbers"),

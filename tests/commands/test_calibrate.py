@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
-from driftlab.calibration import KeptCalibration, calibrate_by_poses, from_json
+from driftlab.calibration import calibrate_by_poses, from_json
+from driftlab.calibration.interchange import KeptCalibration
 from driftlab.commands import example
 from driftlab.commands.example import OPTIONS
 from driftlab.commands.matrix_forms import FORMS, matrices

@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from driftlab import diagnosis
-from driftlab.calibration import FULL, Calibration, FilterFailure
+from driftlab.calibration import FULL
 from driftlab.calibration._told import FITS, Told
-from driftlab.calibration.filter import LARGE_BIAS, TAKE_THE_MEAN
+from driftlab.calibration.calibration_history import Calibration
+from driftlab.calibration.filter import LARGE_BIAS, TAKE_THE_MEAN, FilterFailure
 from driftlab.diagnosis import Diagnosis, diagnose
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments

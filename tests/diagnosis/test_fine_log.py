@@ -13,13 +13,13 @@ import pytest
 from driftlab import diagnosis
 from driftlab.calibration import (
     ERROR_MODELS,
-    FilterFailure,
     InconsistentWarning,
     calibrate,
     innovation_test,
     to_json,
 )
 from driftlab.calibration._told import evidence
+from driftlab.calibration.filter import FilterFailure
 from driftlab.checks import UnusualWarning
 from driftlab.diagnosis import _Judge, diagnose
 from driftlab.earth import EARTH_RATE

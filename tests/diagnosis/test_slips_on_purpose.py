@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from driftlab.calibration import FilterFailure, InconsistentWarning, calibrate
+from driftlab.calibration import InconsistentWarning, calibrate
+from driftlab.calibration.filter import FilterFailure
 from driftlab.diagnosis import diagnose
 from driftlab.increments import Increments
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply

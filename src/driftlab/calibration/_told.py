@@ -60,8 +60,7 @@ class Evidence(NamedTuple):
     """Angle (..., k) that the body has turned by so far, rad"""
 
     def misfit(self, told: Told) -> FloatArray:
-        """Contradictions (...) of gravity and of the Earth's rate, the larger one, in units of what
-        is expected of right records."""
+        """Contradictions (...) of gravity or the Earth's rate, in units of what is expected."""
         start, latitude, prior, noise = told.start, told.latitude, told.prior, told.noise
         sway = float(np.abs(told.reference).max())
         size = float(gravity(latitude))
@@ -152,8 +151,7 @@ class Told(NamedTuple):
         return shown.misfit(self)
 
     def impossible(self) -> tuple[int, str] | None:
-        """The first run (its number) that gravity or the Earth's rate contradict, and a sentence;
-        None if none is contradicted."""
+        """The first run (its number) that gravity or the Earth's rate contradict, and why."""
         for number in range(int(np.prod(self.lead))):
             one = self.run(number)
             size = float(one.misfit(evidence(one.increments)))
@@ -253,8 +251,7 @@ _NEAR = 1.3
 
 
 def told_noise(told: Told) -> tuple[list[str], ImuNoise]:
-    """Sentences on the noise of gyros and accelerometers if it is not what one run was told, and
-    what it is then."""
+    """Sentences on the noise if it is not what one run was told, and what it is then."""
     increments, right, shown = told.increments, told.noise, evidence(told.increments)
     sentences: list[str] = []
     triads = (
@@ -277,8 +274,7 @@ def told_noise(told: Told) -> tuple[list[str], ImuNoise]:
 
 
 def _random_walk(rows: FloatArray, shown: Evidence, interval: float) -> float | None:
-    """White noise of increments (n, 3) in windows that rest, per square root of a second; None if
-    there are too few."""
+    """White noise of increments (n, 3) at rest, per square root of a second; or None."""
     rest, each = shown.rest, round(shown.window / interval)
     part = each // _BLOCKS if each >= _BLOCKS else 1
     blocks = each // part

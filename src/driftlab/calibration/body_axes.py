@@ -6,10 +6,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
-from driftlab.body_frames import body_frame_rotation, change_body_frame
+from driftlab.body_frames import BODY_FRAMES, body_frame_rotation, change_body_frame
 from driftlab.checks import FloatArray, finite_arrays, one_of, unit_quaternions
 from driftlab.core.quaternion import conjugate, multiply, to_rotation_vector
 from driftlab.imu import ImuErrors, checked_imu_errors
+
+POSE_AXES = (*BODY_FRAMES, "lower triangle accelerometers")
+"""Choices of body axes: those of `driftlab.body_frames`, and one more.
+
+``accelerometers`` has axis x along the x accelerometer, and L is zero above its diagonal: one of
+the two triangles in which IMU-TK's matrices are in circulation. ``lower triangle accelerometers``
+has axis z along the z accelerometer, and L is zero below: the other, IMU-TK's own.
+"""
 
 
 def attitude_of_axes(attitude: ArrayLike, rotation: FloatArray) -> FloatArray:
@@ -71,7 +79,7 @@ def imu_errors_in_frame(imu_errors: ImuErrors, frame: str | None) -> tuple[ImuEr
     imu_errors : ImuErrors
         Sensor errors (...) in given body axes.
     frame : str or None
-        One of `driftlab.body_frames.BODY_FRAMES`, or None to keep the axes.
+        One of `POSE_AXES`, or None to keep the axes.
 
     Returns
     -------
@@ -96,56 +104,14 @@ def imu_errors_in_frame(imu_errors: ImuErrors, frame: str | None) -> tuple[ImuEr
     if frame is None:
         own = ImuErrors(*(array.copy() for array in errors))
         return own, np.broadcast_to(np.eye(3), errors.gyro_error.shape).copy()
-    turn = body_frame_rotation(errors.gyro_error, errors.accelerometer_error, frame)
-    return _turned(errors, turn), turn
-
-
-def imu_errors_in_accelerometer_axes(
-    imu_errors: ImuErrors, zeros: str = "above"
-) -> tuple[ImuErrors, FloatArray]:
-    """Sensor errors in body axes that the accelerometers fix by a triangle, and the rotation.
-
-    Parameters
-    ----------
-    imu_errors : ImuErrors
-        Sensor errors (...) in given body axes.
-    zeros : {"above", "below"}
-        Where L, the accelerometers' matrix, is to be zero. Above its diagonal: x lies along the x
-        accelerometer, y in the plane of x and y; kalibr, PSINS, and the frame "accelerometers".
-        Below: z lies along the z accelerometer, y in the plane of y and z; IMU-TK.
-
-    Returns
-    -------
-    imu_errors : ImuErrors
-        Sensor errors (...) in the new axes.
-    turn : ndarray, shape (..., 3, 3)
-        Rotation matrix from components in the given axes to components in the new ones.
-
-    Raises
-    ------
-    ValueError
-        If `zeros` is another word, or the accelerometer triad is left-handed or flat.
-
-    Examples
-    --------
-    >>> from driftlab.imu import TYPICAL_ERRORS
-    >>> turned, _ = imu_errors_in_accelerometer_axes(TYPICAL_ERRORS, "below")
-    >>> bool(np.allclose(np.tril(turned.accelerometer_error, -1), 0, rtol=0, atol=1e-15))
-    True
-    """
-    one_of(zeros, ("above", "below"), "zeros")
-    if zeros == "above":
-        return imu_errors_in_frame(imu_errors, "accelerometers")
-    errors = checked_imu_errors(imu_errors)
-    turn = body_frame_rotation(errors.accelerometer_error, frame="lower triangle")
-    return _turned(errors, turn), turn
-
-
-def _turned(imu_errors: ImuErrors, turn: FloatArray) -> ImuErrors:
-    """Both triads in rotated body axes; nothing is shared with what was given."""
-    return ImuErrors(
-        imu_errors.gyro_bias.copy(),
-        change_body_frame(imu_errors.gyro_error, turn),
-        imu_errors.accelerometer_bias.copy(),
-        change_body_frame(imu_errors.accelerometer_error, turn),
+    if one_of(frame, POSE_AXES, "frame") == POSE_AXES[-1]:
+        turn = body_frame_rotation(errors.accelerometer_error, frame="lower triangle")
+    else:
+        turn = body_frame_rotation(errors.gyro_error, errors.accelerometer_error, frame)
+    turned = ImuErrors(
+        errors.gyro_bias.copy(),
+        change_body_frame(errors.gyro_error, turn),
+        errors.accelerometer_bias.copy(),
+        change_body_frame(errors.accelerometer_error, turn),
     )
+    return turned, turn

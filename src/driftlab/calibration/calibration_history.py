@@ -75,22 +75,11 @@ class Calibration(NamedTuple):
         Estimated velocity, East, North, Up, m/s.
     nis : ndarray, shape (..., updates)
         Squared normalised innovations (NIS) of all updates. Their mean is near three if all that
-        the filter was told is true. A mean near three proves nothing: of a table that stands it is
-        far below if the noise of its velocity was told too large, and a slip can make up for that.
-        `innovation_test` looks at more.
+        the filter was told is true. A mean near three proves nothing; see `innovation_test`.
     innovations : ndarray, shape (..., updates, 3)
         Innovations with covariance I, which `nis` are the sums of squares of.
     told : optional
         The arguments of `calibrate`, if it checked them, for `driftlab.diagnosis.diagnose`.
-
-    Examples
-    --------
-    >>> from driftlab.calibration import TableTrial
-    >>> from driftlab.motion.scheme import Scheme
-    >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
-    >>> found = trial.run(np.random.default_rng(1)).calibration
-    >>> found.state.shape, found.nis.shape, round(float(found.nis.mean()), 1)
-    ((4, 27), (64,), 2.6)
     """
 
     model: ErrorModel
@@ -105,53 +94,18 @@ class Calibration(NamedTuple):
 
     @property
     def deviations(self) -> FloatArray:
-        """Standard deviations of the states, as the filter computes them.
-
-        Returns
-        -------
-        ndarray, shape (..., k, size)
-            In the units of the states.
-
-        Examples
-        --------
-        >>> from driftlab.calibration import ERROR_MODELS
-        >>> from driftlab.imu import PriorDeviations
-        >>> model = ERROR_MODELS["averaged"]
-        >>> at_start = model.covariance(PriorDeviations(scale=1e-4), [0, 0, 0, 1])
-        >>> none = np.zeros((1, 27))
-        >>> known = Calibration(model, none[0], none, at_start[np.newaxis], none, none, none[0])
-        >>> f"{known.deviations[-1, model.names.index('gyro scale x')]:.1e}"
-        '1.0e-04'
-        """
+        """Standard deviations (..., k, size) of the states, as the filter computes them."""
         return np.sqrt(np.einsum("...ii->...i", self.covariance))
 
     @property
     def imu_errors(self) -> ImuErrors:
-        """Sensor errors found at the end, in the model's own body axes.
-
-        `driftlab.calibration.imu_errors_in_frame` brings known errors to the same axes.
-
-        Returns
-        -------
-        ImuErrors
-            Biases (..., 3) in rad/s and m/s^2, error matrices (..., 3, 3).
-
-        Examples
-        --------
-        >>> from driftlab.calibration import FULL
-        >>> from driftlab.imu import TYPICAL_ERRORS
-        >>> state, none = FULL.state(TYPICAL_ERRORS)[np.newaxis], np.zeros((1, 3))
-        >>> found = Calibration(FULL, none[0], state, none, none, none, none[0])
-        >>> bool(np.allclose(found.imu_errors.gyro_bias, TYPICAL_ERRORS.gyro_bias))
-        True
-        """
+        """Sensor errors (...) found at the end, in the model's own body axes; rad/s and m/s^2."""
         return self.model._imu_errors(self.state[..., -1, :])
 
     def _linearization_point(
         self, measured: Increments, latitude: float
     ) -> tuple[FloatArray, FloatArray]:
-        """State (..., size) found, and the attitude (..., 4) found for the start: that at the end
-        is known best, and the corrected gyros lead back from it."""
+        """State (..., size) found, and the attitude (..., 4) found for the start."""
         state = self.state[..., -1, :]
         angle = self.model._corrected(measured, state).angle
         turned = attitudes(ALGORITHM, angle)[..., -1, :]
@@ -162,8 +116,7 @@ class Calibration(NamedTuple):
         )
 
     def _contradictions(self, told: Told) -> tuple[int, list[str]]:
-        """The run (its number) that is worst, and sentences on its innovations and on errors found
-        in it beyond what the prior allows."""
+        """The worst run (its number), and sentences on its innovations and large errors."""
         doubt = innovation_test(self)._contradiction()
         run, beyond = self._beyond_prior(told.prior, told.start)
         said = []
@@ -178,8 +131,7 @@ class Calibration(NamedTuple):
         return run, said
 
     def _beyond_prior(self, prior: PriorDeviations, start: FloatArray) -> tuple[int, list[str]]:
-        """The worst run (its number), and sentences on errors found in it that the prior does not
-        allow, the largest of each kind."""
+        """The worst run (its number), and a sentence on each kind of error beyond the prior."""
         model = self.model
         known = np.sqrt(np.diag(model.covariance(prior, start.reshape(-1, 4)[0])))
         found = self.state[..., -1, :].reshape(-1, model.size)
@@ -231,14 +183,7 @@ def _described(model: ErrorModel) -> str:
 
 
 class InconsistentWarning(UserWarning):
-    """Warning that a record contradicts what the filter was told of it.
-
-    Examples
-    --------
-    >>> import warnings
-    >>> with warnings.catch_warnings():
-    ...     warnings.simplefilter("error", InconsistentWarning)  # no doubtful result passes
-    """
+    """Warning that a record contradicts what the filter was told of it."""
 
 
 class InnovationTest(NamedTuple):
@@ -259,12 +204,6 @@ class InnovationTest(NamedTuple):
         Between one innovation and the next: zero, too.
     correlation_bound : float
         Bound of its size.
-
-    Examples
-    --------
-    >>> test = InnovationTest(np.array(0.02), 0.9, 1.1, np.array(0.3), 7.0, np.array(0.8), 0.1)
-    >>> str(test.verdict)
-    'too cautious'
     """
 
     squares: FloatArray
@@ -277,30 +216,13 @@ class InnovationTest(NamedTuple):
 
     @property
     def verdict(self) -> np.ndarray:
-        """What the test says of each run.
-
-        Returns
-        -------
-        ndarray of str, shape (...)
-            "wrong" if squares or mean are too large; "too cautious" if the squares are too small:
-            the noise was told too large, so the deviations are as well; otherwise "consistent". In
-            the last two cases nothing *of the innovations* speaks against the estimates. What the
-            model explains wrongly they do not see: an interval wrong by 20 ppm is consistent, and
-            gives errors of scale that are out by many stated deviations.
-
-        Examples
-        --------
-        >>> right = InnovationTest(np.ones(1), 0.9, 1.1, np.ones(1), 7.0, np.zeros(1), 0.1)
-        >>> print(right.verdict, right._replace(mean=np.array([20.0])).verdict)
-        ['consistent'] ['wrong']
-        """
+        """What it says of each run (...): "wrong", "too cautious" or "consistent"."""
         wrong = (self.squares > self.upper) | (self.mean > self.mean_upper)
         cautious = np.where(self.squares < self.lower, "too cautious", "consistent")
         return np.where(wrong, "wrong", cautious)
 
     def _contradiction(self) -> tuple[int, str] | None:
-        """The run (its number) that the test finds worst, and a sentence on it; None if none is
-        wrong. As noise is not known exactly, squares count from a quarter above their bound on."""
+        """The worst run (its number) and a sentence on it; None if none is wrong."""
         squares = np.ravel(self.squares) / (_KNOWN_NOISE * self.upper)
         means = np.ravel(self.mean) / self.mean_upper
         worst = int(np.argmax(np.maximum(squares, means)))
@@ -326,7 +248,9 @@ def innovation_test(calibration: Calibration) -> InnovationTest:
     Returns
     -------
     InnovationTest
-        Of each run.
+        Of each run. "consistent" says that nothing *of the innovations* speaks against the
+        estimates: an interval wrong by 20 ppm is consistent, and gives errors of scale that are out
+        by many stated deviations.
 
     Raises
     ------
@@ -340,9 +264,9 @@ def innovation_test(calibration: Calibration) -> InnovationTest:
 
     Notes
     -----
-    Bar-Shalom, Li and Kirubarajan (2001), section 5.4. The innovations of a filter whose model is
-    exact are independent. This one is linearised anew at each update; yet over 720 simulated units,
-    bent by 40 to 400 arc seconds, squares and means scattered as chi-square says.
+    The innovations of a filter whose model is exact are independent. This one is linearised anew at
+    each update; yet over 720 simulated units, bent by 40 to 400 arc seconds, squares and means
+    scattered as chi-square says.
 
     Too large a noise of the reference velocity, as at a table that stands, makes the innovations
     small and each like the one before, for they then are the slow errors of the sensors alone.
@@ -350,7 +274,7 @@ def innovation_test(calibration: Calibration) -> InnovationTest:
     References
     ----------
     - Y. Bar-Shalom, X. R. Li, T. Kirubarajan, *Estimation with Applications to Tracking and
-      Navigation*, Wiley, 2001.
+      Navigation*, Wiley, 2001, section 5.4.
 
     Examples
     --------

@@ -78,8 +78,6 @@ def covariance_analysis(
     ----------
     - R. E. Kalman, *A new approach to linear filtering and prediction problems*, Journal of Basic
       Engineering 82(1), 1960.
-    - Y. Bar-Shalom, X. R. Li, T. Kirubarajan, *Estimation with Applications to Tracking and
-      Navigation*, Wiley, 2001.
 
     Examples
     --------
@@ -102,28 +100,13 @@ def deviation_history(
 
     Parameters
     ----------
-    linearized : LinearizedErrors
-        The error equations along the scheme, as s steps.
-    noise : ImuNoise
-        Of the sensors and of the reference velocity.
-    prior : PriorDeviations
-        Standard deviations of the errors before the calibration.
-    update : float
-        Time between two measurements of the velocity, s.
+    linearized, noise, prior, update : LinearizedErrors, ImuNoise, PriorDeviations, float
+        As for `covariance_analysis`, which has the covariance at the end; s steps.
 
     Returns
     -------
     ndarray, shape (s + 1, size)
         Before the first step and after each one, in the units of the states.
-
-    Raises
-    ------
-    ValueError
-        If `update` or the noise of the velocity is not positive.
-
-    Notes
-    -----
-    The last row belongs to `covariance_analysis`; what is said there of its accuracy holds here.
 
     Examples
     --------

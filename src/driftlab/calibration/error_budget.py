@@ -40,12 +40,6 @@ class MissionErrors(NamedTuple):
         East and North, m.
     heading : ndarray, shape (..., k)
         rad.
-
-    Examples
-    --------
-    >>> errors = MissionErrors(np.array([3600.0]), np.array([[300.0, 400.0]]), np.array([1e-4]))
-    >>> float(errors.distance[0])
-    500.0
     """
 
     times: FloatArray
@@ -54,47 +48,17 @@ class MissionErrors(NamedTuple):
 
     @property
     def distance(self) -> FloatArray:
-        """Root mean square of the distance from the true place.
+        """Root mean square (..., k) of the distance from the true place, m.
 
-        Returns
-        -------
-        ndarray, shape (..., k)
-            m. If East and North are independent, alike and normal, half of all missions end within
-            0.83 of it, the root of ln 2: the circular error probable, CEP. If the error lies on a
-            line, half end within 0.67; a budget is somewhere between.
-
-        References
-        ----------
-        F. van Diggelen, *GNSS accuracy: lies, damn lies, and statistics*, GPS World 18(1), 2007.
-
-        Examples
-        --------
-        >>> MissionErrors(np.array([60.0]), np.array([[5.0, 12.0]]), np.array([0.0])).distance
-        array([13.])
+        If East and North are independent, alike and normal, half of all missions end within 0.83 of
+        it, the root of ln 2: the circular error probable, CEP (F. van Diggelen, *GNSS accuracy:
+        lies, damn lies, and statistics*, GPS World 18(1), 2007). On a line, half end within 0.67.
         """
         return np.linalg.norm(self.position, axis=-1)
 
     @property
     def radial_error_rate(self) -> FloatArray:
-        """Slope of the line through the start that fits `distance` best, by least squares.
-
-        Returns
-        -------
-        ndarray, shape (...)
-            m/s; `scipy.constants.knot` is a nautical mile an hour. It depends on the times.
-
-        Raises
-        ------
-        ValueError
-            If there is no time after the start.
-
-        Examples
-        --------
-        >>> line = np.array([[3.0, 0.0], [6.0, 0.0]])
-        >>> errors = MissionErrors(np.array([1.0, 2.0]), line, np.zeros(2))
-        >>> float(errors.radial_error_rate)
-        3.0
-        """
+        """Slope (...) of the line through the start that fits `distance` best, m/s."""
         squares = float((self.times**2).sum())
         if squares == 0:
             raise ValueError("times: expected some time after the start, got 0 s alone.")

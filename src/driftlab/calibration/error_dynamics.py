@@ -43,32 +43,8 @@ def checked_noise(noise: ImuNoise, name: str = "noise") -> ImuNoise:
     return noise
 
 
-def free_rates(latitude: float) -> FloatArray:
-    """Rates of attitude and velocity errors without sensor errors and specific force.
-
-    Parameters
-    ----------
-    latitude : float
-        Of the table, rad; not a pole.
-
-    Returns
-    -------
-    ndarray, shape (6, 6)
-        1/s, and between attitude (rad) and velocity (m/s) accordingly; each East, North, Up.
-
-    Notes
-    -----
-    The part of Wu (6) that acts on a table at rest whatever the sensors do: the local axes rotate
-    with the Earth, a velocity error rotates them as well, and the Coriolis force acts.
-
-    Examples
-    --------
-    A northward velocity error rotates the computed axes about East, backwards:
-
-    >>> meridian, _ = curvature_radii(0.0)
-    >>> round(float(free_rates(0.0)[0, 4] * meridian), 12)
-    -1.0
-    """
+def _free_rates(latitude: float) -> FloatArray:
+    """Rates (6, 6) of attitude (rad) and velocity errors (m/s) at rest, whatever the sensors do."""
     earth = earth_rate(latitude)
     meridian, across = curvature_radii(latitude)
     rates = np.zeros((6, 6))
@@ -93,11 +69,12 @@ def free_transition(latitude: float, duration: ArrayLike) -> FloatArray:
     -------
     ndarray, shape (..., 6, 6)
         Attitude error (rad) and velocity error (m/s), each East, North, Up, from the beginning to
-        the end of the duration.
+        the end of the duration; to its third order.
 
     Notes
     -----
-    The matrix exponential of `free_rates`, to the third order of the duration.
+    The part of Wu (6) that acts on a table at rest whatever the sensors do: the local axes rotate
+    with the Earth, a velocity error rotates them as well, and the Coriolis force acts.
 
     Examples
     --------
@@ -108,12 +85,12 @@ def free_transition(latitude: float, duration: ArrayLike) -> FloatArray:
     >>> round(float(free_transition(0.0, 60.0)[0, 4] * meridian), 3)
     -60.0
     """
-    change = finite_array(duration, "duration")[..., np.newaxis, np.newaxis] * free_rates(latitude)
+    change = finite_array(duration, "duration")[..., np.newaxis, np.newaxis] * _free_rates(latitude)
     square = change @ change
     return np.eye(6) + change + square / 2 + square @ change / 6
 
 
-def transition(
+def _transition(
     model: ErrorModel,
     free: FloatArray,
     attitude: FloatArray,
@@ -123,54 +100,19 @@ def transition(
     quadrature_weights: FloatArray | None,
     rate_change: FloatArray | None = None,
 ) -> FloatArray:
-    """Transition matrix of all errors over an interval; Wu (49), (50).
+    """Transition matrix (..., size, size) of all errors over an interval; Wu (49), (50).
 
     Errors that arise within the interval are propagated as if they had been there from its
     beginning. This neglects terms of the order of the Earth's rotation in that time, and of the
     rotation of the local axes by the velocity error that arises in it.
 
-    Parameters
-    ----------
-    model : ErrorModel
-        The states.
-    free : ndarray, shape (..., 6, 6)
-        `free_transition` over the interval.
-    attitude : ndarray, shape (..., n, 3, 3)
-        Matrices from body axes at the n quadrature nodes of the interval to the local axes at its
-        beginning.
-    times : ndarray, shape (..., n)
-        Quadrature terms of the elapsed time, s: each node's contribution to the integral.
-    angle : ndarray, shape (..., n, 3)
-        Quadrature terms of the integral of the angular rate in body axes, rad.
-    velocity : ndarray, shape (..., n, 3)
-        Quadrature terms of the integral of the specific force in body axes, m/s.
-    quadrature_weights : ndarray, shape (n, n), or None
-        Fraction of the quadrature term of each node (column) that has accumulated by the time of
-        each node (row): weights of the integral from the beginning of the interval to each node.
-        None for nodes in the middles of n parts, by when half of the own term has accumulated; it
-        takes no room, however many there are.
-    rate_change : ndarray, shape (..., n, 3), optional
-        Quadrature terms of the change of the angular rate in body axes, rad/s; zero if not given.
-        Only lever arms ask for it.
-
-    Returns
-    -------
-    ndarray, shape (..., size, size)
-        From the errors at the beginning of the interval to those at its end.
-
-    Examples
-    --------
-    A second at rest in one node: a gyro bias about North makes a velocity error to the East of
-    g t²/2 for each rad/s.
-
-    >>> from driftlab.calibration.error_model import FULL
-    >>> zero, up = np.zeros((1, 3)), np.array([[0.0, 0.0, 9.8]])
-    >>> half = np.array([[0.5]])
-    >>> found = transition(FULL, np.eye(6), np.eye(3)[np.newaxis], np.ones(1), zero, up, half)
-    >>> round(float(found[FULL.names.index("velocity East"), FULL.names.index("gyro bias y")]), 6)
-    4.9
+    `attitude` (..., n, 3, 3) leads from body axes at the nodes to the local axes at the beginning;
+    `times` (..., n), `angle`, `velocity` and `rate_change` (..., n, 3) are quadrature terms of the
+    elapsed time and of the integrals of angular rate, specific force and change of the rate.
+    `quadrature_weights` (n, n) say what fraction of the term of each node (column) has accumulated
+    by the time of each node (row). They are None for nodes in the middles of n parts, by when half
+    of the own term has accumulated; it takes no room, however many there are.
     """
-    checked_instance(model, ErrorModel, "model")
     gyro = slice(6, 9 + len(model.gyro_basis))
     accelerometer = slice(gyro.stop, model.triad_states)
     force = cross_matrix((attitude @ velocity[..., np.newaxis])[..., 0])
@@ -233,20 +175,17 @@ def transition_of_increments(
         (..., 2 n, 3).
     rate_change : ndarray, shape (..., 2 n, 3), optional
         `driftlab.higher_order_errors.rate_changes` of the record that the increments are part of;
-        zero if not given.
+        zero if not given. Only lever arms ask for it.
 
     Returns
     -------
     ndarray, shape (..., size, size)
-        From the errors at the beginning of the whole time to those at its end.
-
-    Notes
-    -----
-    `transition`, with one quadrature node in the middle of each pair.
+        From the errors at the beginning of the whole time to those at its end; Wu (49), (50).
 
     Examples
     --------
-    The second at rest of `transition`, now from a pair of increments:
+    A second at rest: a gyro bias about North makes a velocity error to the East of g t²/2 for each
+    rad/s.
 
     >>> from driftlab.calibration.error_model import FULL
     >>> level, zero = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1)), np.zeros((2, 3))
@@ -265,7 +204,7 @@ def transition_of_increments(
     times = np.full(count, 2 * increments.interval)
     if rate_change is not None:
         rate_change = rate_change[..., 0::2, :] + rate_change[..., 1::2, :]
-    return transition(
+    return _transition(
         model, free, middle, times, angle, velocity,
         quadrature_weights=None, rate_change=rate_change,
     )  # fmt: skip
@@ -379,14 +318,6 @@ class LinearizedErrors(NamedTuple):
     segments : list of tuple
         Pauses and rotations of the table, each a `driftlab.motion.Segment`, and with it the steps
         that it is made of, as a slice.
-
-    Examples
-    --------
-    >>> linearized = linearize_along(Scheme("+90Z", dwell=60.0), 0.7)
-    >>> float(linearized.durations.sum()), linearized.transitions.shape
-    (129.0, (16, 30, 30))
-    >>> [linearized.durations[steps].sum().round(9) for _, steps in linearized.segments]
-    [np.float64(60.0), np.float64(9.0), np.float64(60.0)]
     """
 
     model: ErrorModel
@@ -498,7 +429,7 @@ def linearize_along(
         # What is left of a rate that stands still against the local axes turns in body axes.
         table = rate[:, np.newaxis, np.newaxis] * axis[:, np.newaxis]
         changes = share * np.cross(to_body @ earth, table)
-    matrices = transition(
+    matrices = _transition(
         model,
         free_transition(place, duration),
         to_matrix(multiply(since, to_local)),

@@ -23,7 +23,6 @@ from driftlab.checks import (
     FloatArray,
     checked_instance,
     finite_array,
-    one_of,
     one_quaternion,
     shown,
 )
@@ -90,7 +89,7 @@ def _prior_deviations(prior: PriorDeviations, chosen: tuple[str, ...]) -> FloatA
 
 
 _ONE_AT_A_TIME = Lock()
-LOCAL_AXES = ("East", "North", "Up")
+_LOCAL_AXES = ("East", "North", "Up")
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,62 +127,16 @@ class ErrorModel:
 
     @property
     def size(self) -> int:
-        """Number of states.
-
-        Returns
-        -------
-        int
-            27, or 30 for the model of all states; more with states by choice.
-
-        Examples
-        --------
-        >>> from driftlab.calibration import ERROR_MODELS, FULL
-        >>> ERROR_MODELS["upper triangle"].size, FULL.size
-        (27, 30)
-        """
+        """Number of states: 27, or 30 for the model of all states; more with states by choice."""
         return len(self.names)
 
     @property
     def triad_states(self) -> int:
-        """Number of states before those of higher order: 27 or 30.
-
-        Returns
-        -------
-        int
-
-        Examples
-        --------
-        >>> from driftlab.calibration import FULL
-        >>> FULL.with_states("time skew").triad_states
-        30
-        """
+        """Number of states before those of higher order: 27 or 30."""
         return 12 + len(self.gyro_basis) + len(self.accelerometer_basis)
 
     def imu_errors(self, state: ArrayLike) -> ImuErrors:
-        """Sensor errors that a state vector describes.
-
-        Parameters
-        ----------
-        state : array_like, shape (..., size)
-            Its attitude and velocity errors are ignored.
-
-        Returns
-        -------
-        ImuErrors
-            Biases (..., 3) in rad/s and m/s^2 and error matrices (..., 3, 3), in the model's own
-            body axes.
-
-        Examples
-        --------
-        The off-diagonal states of averaged axes are symmetric in the gyros' matrix:
-
-        >>> from driftlab.calibration import ERROR_MODELS
-        >>> model = ERROR_MODELS["averaged"]
-        >>> model.imu_errors(np.arange(27.0)).gyro_error
-        array([[ 9., 12., 13.],
-               [12., 10., 14.],
-               [13., 14., 11.]])
-        """
+        """Sensor errors (...) of states (..., size) in the model's own body axes, SI units."""
         return self._imu_errors(finite_array(state, "state", self.size))
 
     def _imu_errors(self, state: FloatArray) -> ImuErrors:
@@ -197,24 +150,7 @@ class ErrorModel:
         )
 
     def higher_order_errors(self, state: ArrayLike) -> HigherOrderErrors:
-        """Return what a state vector says of the errors of higher order.
-
-        Parameters
-        ----------
-        state : array_like, shape (..., size)
-
-        Returns
-        -------
-        HigherOrderErrors
-            Zero where the model has no states for them.
-
-        Examples
-        --------
-        >>> from driftlab.calibration import FULL
-        >>> late = FULL.with_states("time skew")
-        >>> float(late.higher_order_errors(np.arange(31.0)).time_skew)
-        30.0
-        """
+        """Return what states (..., size) say of the errors of higher order, SI units."""
         return self._higher_order_errors(finite_array(state, "state", self.size))
 
     def _higher_order_errors(self, state: FloatArray) -> HigherOrderErrors:
@@ -231,29 +167,9 @@ class ErrorModel:
     def state(
         self, imu_errors: ImuErrors, higher_order: HigherOrderErrors | None = None
     ) -> FloatArray:
-        """State vector of given sensor errors, with attitude and velocity errors zero.
+        """States (..., size) of sensor errors (...) in the model's own body axes, SI units.
 
-        Parameters
-        ----------
-        imu_errors : ImuErrors
-            Sensor errors (...) in the model's own body axes. Whatever part of a matrix is outside
-            the span of the model's basis is dropped.
-        higher_order : HigherOrderErrors, optional
-            Zero if not given; what the model has no states for is dropped.
-
-        Returns
-        -------
-        ndarray, shape (..., size)
-            In the order of `names`; SI units.
-
-        Examples
-        --------
-        >>> from driftlab.calibration import FULL
-        >>> from driftlab.imu import TYPICAL_ERRORS
-        >>> state = FULL.state(TYPICAL_ERRORS)
-        >>> again = FULL.imu_errors(state)
-        >>> state.shape, bool(np.allclose(again.gyro_error, TYPICAL_ERRORS.gyro_error))
-        ((30,), True)
+        Attitude and velocity errors are zero, and what the model has no states for is dropped.
         """
         imu_errors = checked_imu_errors(imu_errors)
         of_gyros, of_accelerometers = (
@@ -272,28 +188,9 @@ class ErrorModel:
         return np.concatenate([np.broadcast_to(x, (*lead, x.shape[-1])) for x in parts], axis=-1)
 
     def with_states(self, *groups: str) -> ErrorModel:
-        """Return this model with states that describe `HigherOrderErrors`.
+        """Return this model with states that describe some of `driftlab.higher_order_errors.TERMS`.
 
-        Parameters
-        ----------
-        *groups : str
-            Some of `driftlab.higher_order_errors.TERMS`, "lever arms" for one: nine states.
-
-        Returns
-        -------
-        ErrorModel
-            This very model if nothing is added; else one object for each choice of groups.
-
-        Raises
-        ------
-        ValueError
-            If there is no such group.
-
-        Examples
-        --------
-        >>> larger = ERROR_MODELS["averaged"].with_states("time skew", "lever arms")
-        >>> larger.size, larger.names[27], larger.names[-1]
-        (37, 'accelerometer lever arm xx', 'accelerometer time skew')
+        It is one object for each choice of groups.
         """
         chosen = checked_terms((*self.higher_order, *groups))
         if chosen == self.higher_order:
@@ -302,31 +199,10 @@ class ErrorModel:
             return _with_states(self, chosen)
 
     def reduction(self, attitude: ArrayLike) -> FloatArray:
-        """Matrix from all 30 states, in any body axes, to the states of this model.
+        """Matrix (size, 30) from all states, in any body axes, to those of this model; first order.
 
-        Parameters
-        ----------
-        attitude : array_like or Rotation, shape (4,)
-            Of the body at the time of the states, body to East, North, Up: a rotation of the body
-            axes changes the attitude error as well.
-
-        Returns
-        -------
-        ndarray, shape (size, 30)
-            To first order in the errors.
-
-        Examples
-        --------
-        Both triads rotated together by 1 about z is, in the model's axes, an attitude error alone:
-
-        >>> turned = np.zeros(FULL.size)
-        >>> for sensor in ("gyro", "accelerometer"):
-        ...     turned[FULL.names.index(f"{sensor} installation yx")] = 1.0
-        ...     turned[FULL.names.index(f"{sensor} installation xy")] = -1.0
-        >>> model = ERROR_MODELS["averaged"]
-        >>> reduced = model.reduction([0, 0, 0, 1]) @ turned
-        >>> {model.names[i]: float(reduced[i]) for i in np.flatnonzero(reduced)}
-        {'attitude Up': -1.0}
+        A rotation of the body axes changes the attitude error as well, so it depends on the
+        `attitude`.
         """
         body_to_local = to_matrix(one_quaternion(attitude, "attitude"))
         states = np.eye(FULL.size)
@@ -348,32 +224,11 @@ class ErrorModel:
         return reduced.T
 
     def covariance(self, prior: PriorDeviations, attitude: ArrayLike) -> FloatArray:
-        """Covariance of the states before a calibration.
+        """Covariance (size, size) of the states before a calibration, SI units, squared.
 
         The 24 sensor errors are independent in the axes of the table, and the covariance in the
         model's axes follows. So filters with different axes start from the same prior. Errors of
         higher order are independent of them.
-
-        Parameters
-        ----------
-        prior : PriorDeviations
-            Standard deviations of the sensor errors and of the initial attitude.
-        attitude : array_like or Rotation, shape (4,)
-            At the start of the calibration, body to East, North, Up.
-
-        Returns
-        -------
-        ndarray, shape (size, size)
-            In the units of the states, squared.
-
-        Examples
-        --------
-        An off-diagonal state of averaged axes is the mean of two independent entries:
-
-        >>> model, prior = ERROR_MODELS["averaged"], PriorDeviations(installation=1e-4)
-        >>> covariance = model.covariance(prior, [0, 0, 0, 1])
-        >>> f"{np.sqrt(covariance[12, 12]):.3e}"
-        '7.071e-05'
         """
         checked_instance(prior, PriorDeviations, "prior")
         matrix = [prior.scale] * 3 + [prior.installation] * 6
@@ -402,7 +257,7 @@ def _model(
     symmetric: str | None = None,
 ) -> ErrorModel:
     """Model with off-diagonal states at these places; a `symmetric` triad has their mirror too."""
-    names = [f"{kind} {axis}" for kind in ("attitude", "velocity") for axis in LOCAL_AXES]
+    names = [f"{kind} {axis}" for kind in ("attitude", "velocity") for axis in _LOCAL_AXES]
     bases = []
     for sensor, places in (("gyro", gyro), ("accelerometer", accelerometer)):
         basis = _units(DIAGONAL + places)
@@ -438,30 +293,3 @@ ERROR_MODELS = MappingProxyType(_Named({
     ),
 }))  # fmt: skip
 """The five choices of body axes, 27 states each."""
-
-
-def error_model_for(name: str) -> ErrorModel:
-    """Return the error model of a choice of body axes.
-
-    Parameters
-    ----------
-    name : str
-        One of `driftlab.body_frames.BODY_FRAMES`.
-
-    Returns
-    -------
-    ErrorModel
-        Of 27 states.
-
-    Raises
-    ------
-    ValueError
-        If the name is unknown.
-
-    Examples
-    --------
-    >>> error_model_for("lower triangle").names[12:15]
-    ('gyro installation xy', 'gyro installation xz', 'gyro installation yz')
-    """
-    one_of(name, ERROR_MODELS, "name")
-    return ERROR_MODELS[name]

@@ -59,20 +59,7 @@ TAKE_THE_MEAN = (
 class FilterFailure(ValueError):
     """Error of a filter that could not go on to the end of a record.
 
-    Parameters
-    ----------
-    sentence : str
-        What was expected.
-    told : optional
-        The arguments of `calibrate`, for `driftlab.diagnosis.diagnose`.
-
-    Examples
-    --------
-    >>> try:
-    ...     raise FilterFailure("increments: expected a record that the filter can follow.")
-    ... except ValueError as failure:
-    ...     print(failure)
-    increments: expected a record that the filter can follow.
+    Its `told` are the arguments of `calibrate`, for `driftlab.diagnosis.diagnose`.
     """
 
     def __init__(self, sentence: str, told: Told | None = None) -> None:
@@ -120,10 +107,8 @@ def calibrate(
         too large, see `innovation_test`.
     reference_times : array_like, shape (updates,), optional
         When the reference velocities were measured, s since the start; they may lie as they like.
-        The filter looks at the end of the nearest pair of increments, at most one increment away,
-        or two at the ends of the record.
-        What comes after the last of them has no reference and is not used; a warning says so if it
-        is longer than the longest time between two.
+        The filter looks at the end of the nearest pair of increments. What comes after the last of
+        them is not used; a warning says so if it is longer than the longest time between two.
     update_interval : float, optional
         Of a table that stands without `reference_times`, s: usually 1. The last update takes what
         is left over.
@@ -179,9 +164,9 @@ def calibrate(
         \dot{\delta v} &= f^l \times \varphi - 2\, \Omega \times \delta v
             + C (\delta L f + \delta b_a) + C n_a,
 
-    with the Earth's rate :math:`\Omega`, the turn F of the local axes by a velocity (`free_rates`),
-    the attitude C and white noise n. Measured is the velocity: computed less reference it is
-    :math:`\delta v` and white noise.
+    with the Earth's rate :math:`\Omega`, the turn F of the local axes by a velocity, the attitude C
+    and white noise n. Measured is the velocity: computed less reference it is :math:`\delta v` and
+    white noise.
 
     The first pass feeds its estimates back at once; what it learnt while they were far off it has
     learnt with the wrong derivatives. A pass `about` a result navigates with that from the
@@ -443,10 +428,6 @@ def _nearest_pairs(count: int, interval: float, reference_times: ArrayLike) -> N
 def _normalised_innovations(
     innovation: FloatArray, predicted: FloatArray, variance: float
 ) -> FloatArray:
-    """Innovations (..., 3) with covariance I, so that the sum of their squares is the NIS.
-
-    `predicted` (..., 3, 3) is the covariance of the velocity before the update, and `variance` that
-    of the measurement.
-    """
+    """Innovations (..., 3) with covariance I; `predicted` (..., 3, 3) is before the update."""
     root = np.linalg.cholesky(predicted + variance * np.eye(3))
     return np.linalg.solve(root, innovation[..., np.newaxis])[..., 0]

@@ -29,7 +29,7 @@ from driftlab.imu import ImuErrors, ImuNoise, checked_imu_errors, real_imu_error
 from .calibration_history import Calibration
 from .poses import PoseCalibration
 
-SCHEMA = "driftlab calibration 1"
+_SCHEMA = "driftlab calibration 1"
 """Form of the text; the number counts up when an older program would misread it."""
 _TURN_SCHEMA = "driftlab turn fit 1"
 _CONVENTION = (
@@ -77,12 +77,6 @@ class KeptCalibration(NamedTuple):
         Where they point, as in `driftlab.axes`, "FRD" say; empty if nobody said.
     name, date : str
         What, as one likes to say it, and when, as `to_json` has it; empty if nobody said.
-
-    Examples
-    --------
-    >>> from driftlab.imu import TYPICAL_ERRORS
-    >>> from_json(to_json(TYPICAL_ERRORS, axes="FRD")).axes
-    'FRD'
     """
 
     imu_errors: ImuErrors
@@ -130,10 +124,6 @@ def to_json(
         If `found` is something else, its numbers are not finite, or no unit's as
         `driftlab.imu.real_imu_errors` has it; `axes` are none or `date` is no date.
 
-    See Also
-    --------
-    from_json : Read it again.
-
     Examples
     --------
     >>> from driftlab.imu import TYPICAL_ERRORS
@@ -145,7 +135,7 @@ def to_json(
     "date": "2024-05-01",
     "axes": "FRD",
     """
-    document = calibration_document(found, axes=axes, noise=noise, name=name, date=date)
+    document = _document(found, axes=axes, noise=noise, name=name, date=date)
     return json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
@@ -171,10 +161,6 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
     OSError
         If the file cannot be read.
 
-    See Also
-    --------
-    to_json : Write it.
-
     Examples
     --------
     >>> from driftlab.imu import TYPICAL_ERRORS
@@ -193,8 +179,8 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
         values, _ = _quantities_of(document, _TURN_UNITS, tuple(_TURN_UNITS))
         _check_sizes(values)
         return TurnFit(**values)
-    if schema != SCHEMA:
-        raise ValueError(f"schema: expected {SCHEMA!r} or {_TURN_SCHEMA!r}, got {schema!r}.")
+    if schema != _SCHEMA:
+        raise ValueError(f"schema: expected {_SCHEMA!r} or {_TURN_SCHEMA!r}, got {schema!r}.")
     _check_convention(document, _CONVENTION)
     values, deviations = _quantities_of(document, _UNITS, ImuErrors._fields, ImuErrors._fields)
     higher = {key: values[key] for key in HigherOrderErrors._fields if key in values}
@@ -212,7 +198,7 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
     return kept
 
 
-def calibration_document(
+def _document(
     found: ImuErrors | Calibration | PoseCalibration | KeptCalibration | TurnFit,
     *,
     axes: str = "",
@@ -220,24 +206,7 @@ def calibration_document(
     name: str = "",
     date: str = "",
 ) -> dict[str, Any]:
-    """Return what `to_json` writes, as a dictionary to put into a larger one.
-
-    Parameters
-    ----------
-    found, axes, noise, name, date : optional
-        As for `to_json`.
-
-    Returns
-    -------
-    dict
-        Of text, numbers and lists.
-
-    Examples
-    --------
-    >>> from driftlab.imu import NO_ERRORS
-    >>> calibration_document(NO_ERRORS)["quantities"]["gyro_bias"]
-    {'unit': 'rad/s', 'value': [0.0, 0.0, 0.0]}
-    """
+    """What `to_json` writes, as a dictionary."""
     if noise is not None:
         checked_instance(noise, ImuNoise, "noise")
     words = {"name": name, "date": date}
@@ -260,7 +229,7 @@ def calibration_document(
     noise = noise or kept.noise
     for key in _NOISE if noise else ():
         quantities[key] = (_UNITS[key], getattr(noise, key), None)
-    return _written(SCHEMA, head | {"body_axes": kept.body_axes}, _CONVENTION, quantities)
+    return _written(_SCHEMA, head | {"body_axes": kept.body_axes}, _CONVENTION, quantities)
 
 
 def _kept(found: ImuErrors | Calibration | PoseCalibration | KeptCalibration) -> KeptCalibration:

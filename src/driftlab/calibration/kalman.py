@@ -27,12 +27,6 @@ class Update(NamedTuple):
     nis : ndarray, shape (...)
         Normalised innovation squared (NIS): the innovation in units of its own covariance. Of a
         consistent filter the mean is the number of components measured.
-
-    Examples
-    --------
-    >>> update = correct(np.eye(2), [1.0], [[1.0, 0.0]], [[1.0]])
-    >>> update.correction, float(update.nis)
-    (array([0.5, 0. ]), 0.5)
     """
 
     correction: FloatArray
@@ -62,21 +56,18 @@ def predict(covariance: ArrayLike, transition: ArrayLike, noise: ArrayLike) -> F
     ValueError
         If shapes do not fit, or a number is not finite.
 
-    Notes
-    -----
-    The first half of a step of Kalman's filter (1960); `correct` is the other, and names the
-    source.
+    See Also
+    --------
+    correct : The other half of a step, with the source.
 
     Examples
     --------
-    A place and a speed, each known to 1; after two seconds the place is known to 4 + 1, in squares:
+    A place and a speed, each known to 1; after two seconds the place is known to 4 + 1, in squares.
+    The speed stays as it is, so the row of the place says the same:
 
     >>> predict(np.eye(2), [[1.0, 2.0], [0.0, 1.0]], np.zeros((2, 2)))
     array([[5., 2.],
            [2., 1.]])
-
-    The speed stays as it is, so the row of the place says the same:
-
     >>> predict(np.eye(2), [[1.0, 2.0]], [[0.0]])
     array([[5., 2.],
            [2., 1.]])

@@ -78,35 +78,10 @@ class NominalReadings:
         accelerometer_matrix: ArrayLike,
         accelerometer_offset: ArrayLike,
     ) -> ImuErrors:
-        """Errors of a unit whose readings are a matrix times the true values, and an offset.
+        """Errors (...) of a unit whose readings are a matrix times the true values, and an offset.
 
-        Parameters
-        ----------
-        gyro_matrix : array_like, shape (..., 3, 3)
-            Readings per rad/s.
-        gyro_offset : array_like, shape (..., 3)
-            Readings.
-        accelerometer_matrix : array_like, shape (..., 3, 3)
-            Readings per m/s^2.
-        accelerometer_offset : array_like, shape (..., 3)
-            Readings.
-
-        Returns
-        -------
-        ImuErrors
-            Relative to the nominal values.
-
-        Raises
-        ------
-        ValueError
-            If a sensor reads less than a fifth or more than five times its nominal value, or with
-            the other sign: a wrong unit, or matrices of another kind.
-
-        Examples
-        --------
-        >>> errors = SI_READINGS.imu_errors(1.1 * np.eye(3), np.zeros(3), np.eye(3), np.zeros(3))
-        >>> float(errors.gyro_error[0, 0].round(3))
-        0.1
+        The matrices (..., 3, 3) are in readings per rad/s and per m/s^2, the offsets (..., 3) in
+        readings.
         """
         gyro_scale, gyro_zero, scale, zero = self._threes()
         gyro = gyro_scale[:, np.newaxis] * finite_array(gyro_matrix, "gyro_matrix", 3, 3)
@@ -136,26 +111,7 @@ class NominalReadings:
     def triads(
         self, imu_errors: ImuErrors
     ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Matrix and offset of the readings of the gyros, then of the accelerometers.
-
-        Parameters
-        ----------
-        imu_errors : ImuErrors
-            Relative to the nominal values.
-
-        Returns
-        -------
-        gyro_matrix, gyro_offset, accelerometer_matrix, accelerometer_offset : ndarray
-            The arguments of `imu_errors`, which is the way back.
-
-        Examples
-        --------
-        >>> from driftlab.imu import NO_ERRORS
-        >>> NominalReadings(gyro_scale=0.5, gyro_zero=7).triads(NO_ERRORS)[:2]
-        (array([[2., 0., 0.],
-               [0., 2., 0.],
-               [0., 0., 2.]]), array([7., 7., 7.]))
-        """
+        """Matrix and offset of the gyros' readings and of the accelerometers', from errors."""
         gyro_scale, gyro_zero, scale, zero = self._threes()
         imu_errors = checked_imu_errors(imu_errors)
         return (
@@ -170,7 +126,7 @@ class NominalReadings:
         return [np.broadcast_to(getattr(self, field.name), 3) for field in fields(self)]
 
 
-SI_READINGS = NominalReadings()
+_SI_READINGS = NominalReadings()
 """Readings that are rad/s and m/s^2 already."""
 
 
@@ -208,13 +164,11 @@ class ImuTkMatrices:
     readings : NominalReadings
         What its readings are; the biases and errors of `imu_errors` are relative to it.
 
-    Notes
-    -----
-    Kyle-ak/imu_tk at 7780270, ``include/imu_tk/calibration.h``: ``unbiasNormalize``. The
-    accelerometers fix its body axes, T being zero below the diagonal: z lies along the z
+    Notes ----- Kyle-ak/imu_tk at 7780270, ``include/imu_tk/calibration.h``: ``unbiasNormalize``.
+    The accelerometers fix its body axes, T being zero below the diagonal: z lies along the z
     accelerometer, y in the plane of y and z (``MultiPosAccResidual``, ``src/calibration.cpp``).
-    Others changed that to zero above; see `imu_errors_in_accelerometer_axes`. The gyros' b is their
-    mean over the first rest, so the Earth's rotation is in it.
+    Others changed that to zero above; see `imu_errors_in_frame`. The gyros' b is their mean over
+    the first rest, so the Earth's rotation is in it.
 
     Fusion of x-io Technologies has the same formula, ``M s (u - b)`` with the sensitivities s
     (xioTechnologies/Fusion at d69784c, ``Fusion/FusionModel.h``), in degrees per second and g:
@@ -236,7 +190,7 @@ class ImuTkMatrices:
     gyro_T: ArrayLike
     gyro_K: ArrayLike
     gyro_b: ArrayLike
-    readings: NominalReadings = SI_READINGS
+    readings: NominalReadings = _SI_READINGS
 
     @property
     def imu_errors(self) -> ImuErrors:
@@ -252,7 +206,7 @@ class ImuTkMatrices:
 
     @classmethod
     def from_imu_errors(
-        cls, imu_errors: ImuErrors, readings: NominalReadings = SI_READINGS
+        cls, imu_errors: ImuErrors, readings: NominalReadings = _SI_READINGS
     ) -> Self:
         """IMU-TK's matrices of a unit, in the body axes that it has."""
         gyro, gyro_b, acc, acc_b = checked_instance(readings, NominalReadings, "readings").triads(
@@ -318,7 +272,7 @@ class KalibrMatrices:
         turn = finite_array(self.gyroscopes_C_gyro_i, "gyroscopes_C_gyro_i", 3, 3)
         if not np.allclose(turn @ np.swapaxes(turn, -1, -2), np.eye(3), rtol=0, atol=1e-6):
             raise ValueError("gyroscopes_C_gyro_i: expected a rotation matrix, got another one.")
-        return SI_READINGS.imu_errors(
+        return _SI_READINGS.imu_errors(
             finite_array(self.gyroscopes_M, "gyroscopes_M", 3, 3) @ turn,
             finite_array(self.gyro_bias, "gyro_bias", 3),
             finite_array(self.accelerometers_M, "accelerometers_M", 3, 3),
@@ -333,7 +287,7 @@ class KalibrMatrices:
         if above > _ROUNDING:
             raise ValueError(
                 "accelerometer_error: expected zeros above the diagonal, as kalibr's body axes "
-                f"have it, got up to {above:.3g}; change them by imu_errors_in_accelerometer_axes."
+                f"have it, got up to {above:.3g}; change them by imu_errors_in_frame."
             )
         turn = body_frame_rotation(errors.gyro_error, frame="upper triangle")
         return cls(
@@ -382,7 +336,7 @@ class ImucalMatrices:
     R_g: ArrayLike
     b_g: ArrayLike
     K_ga: ArrayLike = ((0.0,) * 3,) * 3
-    readings: NominalReadings = SI_READINGS
+    readings: NominalReadings = _SI_READINGS
 
     @property
     def imu_errors(self) -> ImuErrors:
@@ -397,7 +351,7 @@ class ImucalMatrices:
 
     @classmethod
     def from_imu_errors(
-        cls, imu_errors: ImuErrors, readings: NominalReadings = SI_READINGS
+        cls, imu_errors: ImuErrors, readings: NominalReadings = _SI_READINGS
     ) -> Self:
         """Imucal's matrices of a unit, in the body axes that it has."""
         gyro, b_g, acc, b_a = checked_instance(readings, NominalReadings, "readings").triads(
@@ -529,14 +483,14 @@ def _bias_behind_matrix(**triads: ArrayLike) -> ImuErrors:
     for matrix, bias in (names[:2], names[2:]):
         triad = checked_inverse(finite_array(triads[matrix], matrix, 3, 3), matrix)
         forward += [triad, transform(triad, finite_array(triads[bias], bias, 3))]
-    return SI_READINGS.imu_errors(*forward)
+    return _SI_READINGS.imu_errors(*forward)
 
 
 def _matrix_before_bias(
     imu_errors: ImuErrors,
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Matrices and biases such that true is a matrix times what is measured, less a bias."""
-    gyro, gyro_bias, accelerometer, bias = SI_READINGS.triads(checked_imu_errors(imu_errors))
+    gyro, gyro_bias, accelerometer, bias = _SI_READINGS.triads(checked_imu_errors(imu_errors))
     gyro = checked_inverse(gyro, "gyro_error")
     accelerometer = checked_inverse(accelerometer, "accelerometer_error")
     return gyro, transform(gyro, gyro_bias), accelerometer, transform(accelerometer, bias)

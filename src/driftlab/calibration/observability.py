@@ -14,45 +14,32 @@ import warnings
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from driftlab.checks import (
     FloatArray,
-    finite_array,
-    finite_number,
     one_of,
     truth_value,
-    unit_quaternions,
 )
 from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
 from driftlab.core.vectors import cross_matrix
-from driftlab.earth import checked_latitude, earth_rate, gravity
+from driftlab.earth import earth_rate, gravity
 from driftlab.imu import ImuErrors, PriorDeviations
 from driftlab.motion.scheme import Scheme
 from driftlab.motion.turntable import Segment
 
 from .error_dynamics import (
     LinearizedErrors,
+    _free_rates,
+    _transition,
     checked_linearized,
-    checked_model,
-    free_rates,
     linearize_along,
-    transition,
 )
 from .error_model import AXES, ERROR_MODELS, FULL, ErrorModel
 
 
 class UnobservableWarning(UserWarning):
-    """Warning that a rotation scheme leaves some errors unobservable.
-
-    Examples
-    --------
-    >>> from driftlab.calibration import linearize_along
-    >>> from driftlab.motion.scheme import Scheme
-    >>> with warnings.catch_warnings():
-    ...     warnings.simplefilter("ignore", UnobservableWarning)
-    ...     warn_if_unobservable(linearize_along(Scheme(""), 0.7))
-    """
+    """Warning that a rotation scheme leaves some errors unobservable."""
 
 
 def observability_matrix(linearized: LinearizedErrors) -> FloatArray:
@@ -61,17 +48,14 @@ def observability_matrix(linearized: LinearizedErrors) -> FloatArray:
     Parameters
     ----------
     linearized : LinearizedErrors
-        The error equations along the scheme.
+        The error equations along the scheme, as s steps.
 
     Returns
     -------
     ndarray, shape (3 s, size)
-        East, North, Up of each step, weighted by the square root of its duration.
-
-    Notes
-    -----
-    For the matrix O the Gramian is O^T O: the information on the state at the start if the velocity
-    is measured continuously with noise of unit density, and no noise disturbs the sensors.
+        East, North, Up of each step, weighted by the square root of its duration. For the matrix O
+        the Gramian is O^T O: the information on the state at the start if the velocity is measured
+        continuously with noise of unit density, and no noise disturbs the sensors.
 
     Examples
     --------
@@ -146,18 +130,6 @@ class UnobservableSubspace(NamedTuple):
         Basis of the null space, as states.
     descriptions : list of str
         Description of the null directions in English.
-
-    Examples
-    --------
-    Without a choice of body axes, three directions are unobservable whatever the rotations are:
-
-    >>> from driftlab.calibration import linearize_along
-    >>> from driftlab.motion.scheme import NINETEEN_POSITIONS
-    >>> for line in unobservable_subspace(linearize_along(NINETEEN_POSITIONS, 0.7)).descriptions:
-    ...     print(line)
-    both triads turned together about x, the attitude with them
-    both triads turned together about y, the attitude with them
-    both triads turned together about z, the attitude with them
     """
 
     eigenvalues: FloatArray
@@ -188,11 +160,6 @@ def unobservable_subspace(linearized: LinearizedErrors) -> UnobservableSubspace:
     To make states comparable, each is counted in its standard deviation for a typical unit. A
     direction counts as unobservable if its singular value is less than 1e-10 of the largest, which
     is well above the level of rounding.
-
-    References
-    ----------
-    - D. Goshen-Meskin, I. Y. Bar-Itzhack, *Observability analysis of piece-wise constant systems,
-      part I: Theory*, IEEE Transactions on Aerospace and Electronic Systems 28(4), 1992.
 
     Examples
     --------
@@ -268,29 +235,8 @@ def _common_misalignments(model: ErrorModel, attitude: FloatArray) -> FloatArray
     return states
 
 
-def warn_if_unobservable(linearized: LinearizedErrors) -> None:
-    """Warn if a scheme leaves errors unobservable, and name them.
-
-    Parameters
-    ----------
-    linearized : LinearizedErrors
-        The error equations along the scheme.
-
-    Warns
-    -----
-    UnobservableWarning
-        If there are null directions.
-
-    Examples
-    --------
-    >>> from driftlab.calibration import linearize_along
-    >>> from driftlab.motion.scheme import Scheme
-    >>> with warnings.catch_warnings(record=True) as caught:
-    ...     warnings.simplefilter("always")
-    ...     warn_if_unobservable(linearize_along(Scheme(""), 0.7))
-    >>> str(caught[0].message)[:48]
-    'scheme: leaves 21 directions of 30 unobservable:'
-    """
+def _warn_if_unobservable(linearized: LinearizedErrors) -> None:
+    """Warn if a scheme leaves errors unobservable, and name them."""
     unobservable = unobservable_subspace(linearized)
     if unobservable.descriptions:
         warnings.warn(
@@ -308,10 +254,10 @@ ZERO = 1e-9
 def _observable_rows(rates: FloatArray, seen: FloatArray) -> FloatArray:
     """Return an orthonormal basis (r, n) of all that H, H F, H F^2, ... show of a constant system.
 
-    The states of F (n, n) are in comparable sizes; r is the rank of the observability matrix.
-    Powers of F would run away in size. Instead, each round multiplies only the new directions
-    by F and keeps the part that is orthogonal to those found before, if it is above 1e-9 of the
-    largest rate at which the round's directions change. A round that finds nothing is the last.
+    The states of F (n, n) are in comparable sizes. Powers of F would run away in size. Instead,
+    each round multiplies only the new directions by F and keeps the part that is orthogonal to
+    those found before, if it is above 1e-9 of the largest rate at which the round's directions
+    change.
     """
     found = np.zeros((0, rates.shape[1]))
     new = seen
@@ -328,79 +274,40 @@ def _observable_rows(rates: FloatArray, seen: FloatArray) -> FloatArray:
 
 IntArray = NDArray[np.int_]
 
-TURN_TREATMENTS = ("carried", "ignored", "in pieces")
+_TURN_TREATMENTS = ("carried", "ignored", "in pieces")
 """What `stripped_observability` can do with the turns between the pauses."""
 
 _PIECE = np.radians(15.0)  # rad: most that a piece of a turn turns
 
 
-def error_rates(
+def _error_rates(
     model: ErrorModel,
     latitude: float,
-    attitude: ArrayLike,
-    rate: ArrayLike = (0.0, 0.0, 0.0),
+    attitude: FloatArray,
+    rate: FloatArray,
     *,
     body_axes: bool = False,
 ) -> FloatArray:
-    """Matrix F of the error equations at one moment: Wu (49).
+    """Matrix F (size, size) of the error equations at one moment, SI: Wu (49).
 
-    Parameters
-    ----------
-    model : ErrorModel or str
-        The states.
-    latitude : float
-        Of the table, rad; not a pole.
-    attitude : array_like or Rotation, shape (4,)
-        Body to East, North, Up.
-    rate : array_like, shape (3,)
-        Of the table against the Earth, body axes, rad/s.
-    body_axes : bool
-        Attitude and velocity errors are counted in body axes instead of East, North, Up.
-
-    Returns
-    -------
-    ndarray, shape (size, size)
-        Derivatives of the states (rows) for each state (columns), SI; those of the sensor errors
-        are zero.
-
-    Raises
-    ------
-    ValueError
-        If the model, the latitude, the attitude or the rate is none.
-
-    Examples
-    --------
-    A tilt of 1 rad about North accelerates a level unit to the East by gravity:
-
-    >>> rates = error_rates(FULL, 0.7, [0, 0, 0, 1])
-    >>> east = rates[FULL.names.index("velocity East"), FULL.names.index("attitude North")]
-    >>> bool(np.isclose(east, -gravity(0.7)))
-    True
+    `rate` (3,) is of the table against the Earth, in body axes; `body_axes` counts attitude and
+    velocity errors in body axes instead of East, North, Up.
     """
-    model = checked_model(model)
-    truth_value(body_axes, "body_axes")
-    place = float(checked_latitude(finite_number(latitude, "latitude")))
-    to_local = to_matrix(unit_quaternions(attitude, "attitude"))
-    turn = finite_array(rate, "rate")
-    if turn.shape != (3,) or to_local.shape != (3, 3):
-        raise ValueError(
-            "attitude, rate: expected one attitude (4,) and one finite rate (3,), "
-            f"got shapes {np.shape(attitude)} and {turn.shape}."
-        )
-    spin = turn + to_local.T @ earth_rate(place)
-    force = to_local.T @ np.array([0.0, 0.0, float(gravity(place))])
+    to_local = to_matrix(attitude)
+    spin = rate + to_local.T @ earth_rate(latitude)
+    force = to_local.T @ np.array([0.0, 0.0, float(gravity(latitude))])
     # One node that counts one second, and nothing that arises in it acts on: the first order.
-    sensors = transition(
+    sensors = _transition(
         model, np.eye(6), to_local[None], np.ones(1), spin[None], force[None],
         quadrature_weights=np.zeros((1, 1)),
     )  # fmt: skip
     rates = sensors - np.eye(model.size)
-    rates[:6, :6] += free_rates(place)
+    rates[:6, :6] += _free_rates(latitude)
     if body_axes:
         to_body = np.kron(np.eye(2), to_local.T)
         rates[:6] = to_body @ rates[:6]
         rates[:, :6] = rates[:, :6] @ to_body.T
-        rates[:6, :6] -= np.kron(np.eye(2), cross_matrix(turn))
+        rates[:6, :6] -= np.kron(np.eye(2), cross_matrix(rate))
     return rates
 
 
@@ -422,13 +329,6 @@ class StrippedObservability(NamedTuple):
         States at the start that no piece shows.
     known_after : ndarray of int, shape (size,)
         Position, counted from 1, after which a state is known by itself; 0 for never.
-
-    Examples
-    --------
-    >>> from driftlab.motion.scheme import NINETEEN_POSITIONS
-    >>> stripped = stripped_observability(NINETEEN_POSITIONS, 0.7)
-    >>> int(stripped.ranks[0]), int(stripped.ranks[-1]), stripped.moves < 1e-12
-    (9, 27, True)
     """
 
     model: ErrorModel
@@ -446,17 +346,13 @@ def stripped_observability(
 
     Parameters
     ----------
-    scheme : Scheme or str
-        Pauses and rotations.
-    latitude : float
-        Of the table, rad; not a pole.
-    model : ErrorModel or str
-        The states.
-    turns : str
-        One of `TURN_TREATMENTS`. "carried": the transition matrix of a turn carries the errors
-        over, and nobody looks at the velocity meanwhile. "ignored": the errors are after a turn
-        what they were before, as in papers on alignment in several positions. "in pieces": each
-        turn is cut into pieces of 15 degrees, and in each of them F in body axes is held.
+    scheme, latitude, model : Scheme or str, float, ErrorModel or str
+        As for `linearize_along`.
+    turns : {"carried", "ignored", "in pieces"}
+        "carried": the transition matrix of a turn carries the errors over, and nobody looks at the
+        velocity meanwhile. "ignored": the errors are after a turn what they were before, as in
+        papers on alignment in several positions. "in pieces": each turn is cut into pieces of 15
+        degrees, and in each of them F in body axes is held.
 
     Returns
     -------
@@ -488,14 +384,14 @@ def stripped_observability(
     Of 30 states three cannot be seen. If the turns are ignored, they seem to be:
 
     >>> from driftlab.motion.scheme import NINETEEN_POSITIONS
-    >>> for turns in TURN_TREATMENTS:
+    >>> for turns in ("carried", "ignored", "in pieces"):
     ...     ranks = stripped_observability(NINETEEN_POSITIONS, 0.7, turns=turns).ranks
     ...     print(f"{turns:10} {ranks[1]} after two positions, {ranks[-1]} in the end")
     carried    18 after two positions, 27 in the end
     ignored    15 after two positions, 30 in the end
     in pieces  24 after two positions, 27 in the end
     """
-    one_of(turns, TURN_TREATMENTS, "turns")
+    one_of(turns, _TURN_TREATMENTS, "turns")
     way = linearize_along(scheme, latitude, model)
     model = way.model
     size = _typical(model, way.start)
@@ -511,7 +407,7 @@ def stripped_observability(
         for attitude in _pieces(segment):
             spin = segment.rate * segment.axis
             in_body = turns == "in pieces"
-            rates = error_rates(model, latitude, attitude, spin, body_axes=in_body)
+            rates = _error_rates(model, latitude, attitude, spin, body_axes=in_body)
             rates = rates * size / size[:, np.newaxis]
             rows = _observable_rows(rates, np.eye(model.size)[3:6])
             hidden = rates - (rates @ rows.T) @ rows

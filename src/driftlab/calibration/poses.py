@@ -18,7 +18,6 @@ from numpy.typing import ArrayLike
 from scipy.constants import g
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.body_frames import BODY_FRAMES
 from driftlab.checks import (
     FloatArray,
     checked_instance,
@@ -34,19 +33,12 @@ from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rest_detection import Rests
 
-from .body_axes import imu_errors_in_accelerometer_axes, imu_errors_in_frame
+from .body_axes import POSE_AXES, imu_errors_in_frame
 from .calibration_history import InconsistentWarning
 from .error_model import FULL
 
 _KINDS = ("rests", "moves", "rates")
 """Kinds of residuals: |force| at rest, tilt or turn after a move, gyros at rest."""
-POSE_AXES = (*BODY_FRAMES, "lower triangle accelerometers")
-"""Choices of body axes: those of `driftlab.body_frames`, and one more.
-
-``accelerometers`` has axis x along the x accelerometer, and L is zero above its diagonal: one of
-the two triangles in which IMU-TK's matrices are in circulation. ``lower triangle accelerometers``
-has axis z along the z accelerometer, and L is zero below: the other, IMU-TK's own.
-"""
 _BLOCK = 0.5
 """Means over so many seconds show the slow part of the noise."""
 _LEAST = 1e-9
@@ -71,11 +63,6 @@ class Consistency(NamedTuple):
     excess : float
         Deviation that was added to that of the noise: of each component of a mean force (m/s^2), of
         the turn over a move (rad), of a mean rate (rad/s). Zero if none is missing.
-
-    Examples
-    --------
-    >>> Consistency(120.0, 30.0, 16.8, 47.0, 0.004).holds
-    False
     """
 
     chi_square: float
@@ -86,23 +73,12 @@ class Consistency(NamedTuple):
 
     @property
     def holds(self) -> bool:
-        """Whether noise alone explains the residuals.
-
-        Returns
-        -------
-        bool
-            True also where nothing can be tested.
-        """
+        """Whether noise alone explains the residuals; true also where nothing can be tested."""
         return not (self.chi_square < self.lower or self.chi_square > self.upper)
 
     @property
     def why(self) -> str:
-        """The test in a sentence.
-
-        Returns
-        -------
-        str
-        """
+        """The test in a sentence."""
         if np.isnan(self.upper):
             return "No freedom is left to test them."
         text = (
@@ -178,13 +154,7 @@ class PoseCalibration:
 
     @property
     def earth_turn(self) -> float:
-        """The most that the Earth turned over a move, which is in `turn_residuals`.
-
-        Returns
-        -------
-        float
-            rad. The weights of the fit count it, as one rate of unknown direction.
-        """
+        """The most that the Earth turned over a move, which is in `turn_residuals`, rad."""
         return EARTH_RATE * self.longest_move
 
     @property
@@ -405,10 +375,7 @@ def _in_axes(unknowns: FloatArray, body_axes: str) -> tuple[FloatArray, FloatArr
     """The 24 numbers (..., 24) of unknowns (..., 30), and G (..., 3, 3), in the chosen axes."""
     force_error, force_bias, gyro_error, gyro_bias, felt = core.matrices(unknowns)
     errors = ImuErrors(gyro_bias, gyro_error, force_bias, force_error)
-    if body_axes == "lower triangle accelerometers":
-        errors, turn = imu_errors_in_accelerometer_axes(errors, "below")
-    else:
-        errors, turn = imu_errors_in_frame(errors, body_axes)
+    errors, turn = imu_errors_in_frame(errors, body_axes)
     return FULL.state(errors)[..., 6:], felt @ np.swapaxes(turn, -1, -2)
 
 
@@ -499,11 +466,10 @@ def _variances(
     poses: core.Poses,
     noise: ImuNoise | None,
 ) -> tuple[core.Variances, tuple[float, float]]:
-    """Return variances of the rests' means and of the turns between them, and their colour.
+    """Variances of the rests' means and of the turns between them, and their colour.
 
-    `rate` and `force` (n, 3) are the samples. `noise` is used instead of the rests' own white
-    noise. The colour, of gyros and accelerometers, is the variance of means over half a second as
-    a multiple of white noise. The direction of the Earth's rate is taken as unknown.
+    `rate` and `force` (n, 3) are the samples; `noise` is used instead of the rests' own white
+    noise.
     """
     interval = poses.interval
     if noise is None:

@@ -130,34 +130,7 @@ class DesignTask:
             raise ValueError("prior: expected some sensor error that is unknown, got none.")
 
     def values(self, covariance: FloatArray) -> FloatArray:
-        """Criterion of covariances at the end of a scheme.
-
-        Parameters
-        ----------
-        covariance : ndarray, shape (..., size, size)
-            As from `covariance_analysis`.
-
-        Returns
-        -------
-        ndarray, shape (...)
-            Without unit; less is better.
-
-        Raises
-        ------
-        ValueError
-            If the covariance has another shape.
-
-        Examples
-        --------
-        If all is known twice as well as it has to be, each criterion is one half:
-
-        >>> for criterion in CRITERIA:
-        ...     task = DesignTask(criterion, requirement=(2.0,) * 21)
-        ...     print(round(float(task.values(np.eye(27))), 6))
-        0.5
-        0.5
-        0.5
-        """
+        """Criterion (...) of covariances (..., size, size) at the end of schemes; small is good."""
         given = finite_array(covariance, "covariance", self.model.size, self.model.size)
         chosen, sizes = 6 + self._unknown, self._sizes[self._unknown]
         scaled = given[..., chosen[:, np.newaxis], chosen] / np.outer(sizes, sizes)
@@ -169,54 +142,12 @@ class DesignTask:
         return np.asarray(np.sqrt(summed))
 
     def value(self, scheme: Scheme) -> float:
-        """Criterion of one scheme, its pauses set to fill the duration.
-
-        Parameters
-        ----------
-        scheme : Scheme
-            Of any number of turns by the angles of the task; its `dwell` and `rate` do not count.
-
-        Returns
-        -------
-        float
-            Without unit; less is better.
-
-        Raises
-        ------
-        ValueError
-            If the scheme has other turns, or takes too long.
-
-        Examples
-        --------
-        >>> from driftlab.motion.scheme import EIGHTEEN_ROTATIONS
-        >>> task = DesignTask("mean")
-        >>> round(task.value(EIGHTEEN_ROTATIONS), 4)
-        0.0244
-        """
+        """Criterion of one scheme, with pauses and rate as the task has them."""
         rows = self._rows
         return float(self.values(rows.after([rows.row(scheme)]))[0])
 
     def random_schemes(self, rng: np.random.Generator | int, count: int) -> list[Scheme]:
-        """Draw random schemes that the table can do.
-
-        Parameters
-        ----------
-        rng : numpy.random.Generator or int
-            Source of the random draws.
-        count : int
-            How many.
-
-        Returns
-        -------
-        list of Scheme
-            Each as long as the task says.
-
-        Examples
-        --------
-        >>> one = DesignTask(positions=4).random_schemes(np.random.default_rng(1), 5)[0]
-        >>> one.positions
-        4
-        """
+        """Draw `count` random schemes that the table can do, each as long as the task says."""
         rows = self._rows
         drawn = rows.moves.drawn(
             checked_generator(rng),
@@ -262,14 +193,6 @@ class Climb(NamedTuple):
         Before and after the improvements.
     before, after : float
         Their criteria.
-
-    Examples
-    --------
-    >>> rng = np.random.default_rng(1)
-    >>> task = DesignTask(positions=3, angles=(90,))
-    >>> first = design_scheme(task, rng, draws=9, climbs=1).climbs[0]
-    >>> first.after < first.before
-    True
     """
 
     begin: Scheme
@@ -293,13 +216,6 @@ class SchemeDesign(NamedTuple):
         Criteria of all random schemes.
     tried : int
         Number of schemes that were tried in all.
-
-    Examples
-    --------
-    >>> rng = np.random.default_rng(1)
-    >>> design = design_scheme(DesignTask(positions=3, angles=(90,)), rng, draws=9, climbs=1)
-    >>> bool(design.value == design.climbs[0].after <= design.drawn.min())
-    True
     """
 
     scheme: Scheme

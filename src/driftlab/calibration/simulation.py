@@ -12,13 +12,11 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from driftlab.checks import (
     FloatArray,
     checked_generator,
     checked_instance,
-    finite_array,
     finite_number,
     keep,
     one_of,
@@ -54,11 +52,10 @@ from .error_model import (
     ErrorModel,
     _prior_deviations,
     _unpacked,
-    error_model_for,
 )
 from .filter import calibrate
 from .kalman import nees
-from .observability import warn_if_unobservable
+from .observability import _warn_if_unobservable
 
 
 class Trial(NamedTuple):
@@ -74,16 +71,6 @@ class Trial(NamedTuple):
         Errors of the estimated states, in the filter's axes, at the times of the calibration.
     higher_order : HigherOrderErrors
         The true errors beyond bias and matrix.
-
-    Examples
-    --------
-    >>> from driftlab.calibration import TableTrial
-    >>> from driftlab.motion.scheme import Scheme
-    >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
-    >>> found = trial.run(np.random.default_rng(1))
-    >>> within = np.abs(found.errors[-1]) < 3 * found.calibration.deviations[-1]
-    >>> f"{within.sum()} of {within.size} errors are within three standard deviations"
-    '27 of 27 errors are within three standard deviations'
     """
 
     calibration: Calibration
@@ -93,71 +80,21 @@ class Trial(NamedTuple):
 
     @property
     def nees(self) -> FloatArray:
-        """Squared errors, normalised by the covariance that the filter computes (NEES).
-
-        States that were known from the beginning, with a spread of zero, do not count.
-
-        Returns
-        -------
-        ndarray, shape (..., k)
-            Without unit. Of a consistent filter the mean over many trials is the number of states.
-
-        Examples
-        --------
-        >>> from driftlab.calibration import TableTrial
-        >>> from driftlab.motion.scheme import Scheme
-        >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
-        >>> trial.run(np.random.default_rng(2), runs=5).nees[:, -1].round(0)
-        array([18., 29., 22., 32., 35.])
-        """
+        """Normalised estimation errors squared (..., k): see `driftlab.calibration.nees`."""
         return nees(self.errors, self.calibration.covariance)
 
 
-def estimation_errors(
+def _estimation_errors(
     calibration: Calibration,
     imu_errors: ImuErrors,
-    attitude: ArrayLike,
-    higher_order: HigherOrderErrors | None = None,
+    attitude: FloatArray,
+    higher_order: HigherOrderErrors,
 ) -> FloatArray:
-    """Errors of the states that a calibration estimated.
+    """True minus estimated sensor errors, computed minus true attitude and velocity (..., k, size).
 
-    Parameters
-    ----------
-    calibration : Calibration
-        What the filter found.
-    imu_errors : ImuErrors
-        The true errors (...), in the table's axes.
-    attitude : array_like or Rotation, shape (k, 4)
-        True attitudes of the table's axes at the calibration's times, body to East, North, Up.
-    higher_order : HigherOrderErrors, optional
-        The true errors beyond bias and matrix; zero if not given.
-
-    Returns
-    -------
-    ndarray, shape (..., k, size)
-        True minus estimated sensor errors, computed minus true attitude and velocity.
-
-    Examples
-    --------
-    A calibration that found nothing leaves all errors as they were:
-
-    >>> from driftlab.calibration import FULL
-    >>> from driftlab.imu import TYPICAL_ERRORS
-    >>> level, none = np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 30))
-    >>> nothing = Calibration(FULL, none[0], none, np.eye(30), level, none[:, :3], none[0])
-    >>> errors = estimation_errors(nothing, TYPICAL_ERRORS, level)
-    >>> bool(np.allclose(errors, FULL.state(TYPICAL_ERRORS)))
-    True
+    `attitude` (k, 4) are true attitudes of the table's axes at the calibration's times.
     """
-    model = checked_instance(calibration, Calibration, "calibration").model
-    if higher_order is not None:
-        checked_higher_order_errors(higher_order)
-    shape, count = finite_array(attitude, "attitude", 4).shape, calibration.state.shape[-2]
-    if shape != (count, 4):
-        raise ValueError(
-            f"attitude: expected shape ({count}, 4), one for each of the calibration's times, got "
-            f"shape {shape}."
-        )
+    model = calibration.model
     true, turn = imu_errors_in_frame(imu_errors, model.frame)
     errors = model.state(true, higher_order)[..., np.newaxis, :] - calibration.state
     true_attitude = attitude_of_axes(attitude, turn[..., np.newaxis, :, :])
@@ -221,7 +158,7 @@ class TableTrial:
     @property
     def model(self) -> ErrorModel:
         """The states of the filter."""
-        return error_model_for(self.frame).with_states(*self.states)
+        return ERROR_MODELS[self.frame].with_states(*self.states)
 
     def __post_init__(self) -> None:
         keep(self, scheme=checked_scheme(self.scheme))
@@ -253,49 +190,15 @@ class TableTrial:
         imu_errors: ImuErrors | None = None,
         higher_order: HigherOrderErrors | None = None,
     ) -> Trial:
-        """Calibrate random units, or one given unit with new noise in each run.
+        """Calibrate `runs` random units, or one given unit with new noise in each run.
 
-        Parameters
-        ----------
-        rng : numpy.random.Generator or int
-            Source of all random draws.
-        runs : int, optional
-            Number of runs, along a leading axis of the result. If not given, as many as
-            `imu_errors` has, or one without a leading axis.
-        imu_errors : ImuErrors, optional
-            True sensor errors (...) in the table's axes; drawn from `prior` if not given.
-        higher_order : HigherOrderErrors, optional
-            True errors beyond bias and matrix; if not given, those that `states` names are drawn
-            from `prior`, and the others are zero.
-
-        Returns
-        -------
-        Trial
-            What the filter found, and the truth.
-
-        Raises
-        ------
-        ValueError
-            If the leading axes of `imu_errors` do not fit `runs`.
-
-        Warns
-        -----
-        UnobservableWarning
-            If the scheme leaves errors unobservable; it names them.
-
-        Examples
-        --------
-        True scale-factor error of a gyro and the one found in eleven minutes, in ppm:
-
-        >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
-        >>> found = trial.run(np.random.default_rng(1))
-        >>> both = found.imu_errors, found.calibration.imu_errors
-        >>> [round(1e6 * float(errors.gyro_error[0, 0])) for errors in both]
-        [-130, -103]
+        `imu_errors` are in the table's axes and drawn from `prior` if not given, as are those of
+        `higher_order` that `states` names. An `UnobservableWarning` names what the scheme does not
+        show.
         """
         source = checked_generator(rng)
         model = self.model
-        warn_if_unobservable(linearize_along(self.scheme, self.latitude, model))
+        _warn_if_unobservable(linearize_along(self.scheme, self.latitude, model))
         lead = () if runs is None else (whole_number(runs, "runs"),)
         if imu_errors is None:
             imu_errors = random_imu_errors(self.prior, source, *lead)
@@ -337,7 +240,7 @@ class TableTrial:
             calibration = one_pass(about=calibration)
         places = np.round(calibration.times / self.sample_interval).astype(int)
         known = NO_HIGHER_ORDER_ERRORS if higher_order is None else higher_order
-        errors = estimation_errors(calibration, imu_errors, true.attitude[places], known)
+        errors = _estimation_errors(calibration, imu_errors, true.attitude[places], known)
         return Trial(calibration, imu_errors, errors, known)
 
     def _higher_order(

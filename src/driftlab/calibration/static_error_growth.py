@@ -30,7 +30,7 @@ from driftlab.increments import compensate, measure
 from driftlab.motion.turntable import static_trajectory
 
 from .body_axes import attitude_error
-from .error_dynamics import free_rates
+from .error_dynamics import _free_rates
 from .static_navigation import StaticNavigationErrors
 
 
@@ -52,9 +52,6 @@ STATIC_CAUSES = (
 """What makes a unit at rest err: seven errors at the start, in rad, m/s and m, which are also the
 states; three biases of gyros in rad/s; two of accelerometers in m/s^2. All in local axes."""
 
-STATIC_MODES = ("standing", "growing", "Earth", "slow Schuler", "fast Schuler")
-"""What the errors are made of: constants, lines, and oscillations at three rates."""
-
 
 class StaticErrorModes(NamedTuple):
     """Errors at rest as sums of a constant, a line and three oscillations.
@@ -64,47 +61,27 @@ class StaticErrorModes(NamedTuple):
     Attributes
     ----------
     rates : StaticErrorRates
+        Of the oscillations.
+    matrix : ndarray, shape (7, 12)
+        Of the linear error equations: the states' rates from states and sensor biases.
     standing : ndarray, shape (7, 12)
     growing : ndarray, shape (7, 12)
         What is multiplied by the time.
     cosine, sine : ndarray, shape (3, 7, 12)
         Amplitudes at each of the rates.
-
-    Examples
-    --------
-    In the long run gyro biases about North and Up, here of 0.01 deg/h, lead East, in m/h:
-
-    >>> modes = static_error_modes(np.radians(45.0))
-    >>> (np.radians(0.01) * modes.growing[5, 7:10]).round() + 0.0
-    array([  0., 558., 558.])
     """
 
     rates: StaticErrorRates
+    matrix: FloatArray
     standing: FloatArray
     growing: FloatArray
     cosine: FloatArray
     sine: FloatArray
 
     def at(self, times: ArrayLike) -> FloatArray:
-        """Matrices from causes to states, for each mode; their sum is the whole.
+        """Matrices (5, k, 7, 12) from causes to states at times (k,), s, for each mode.
 
-        Parameters
-        ----------
-        times : array_like, shape (k,)
-            Since the start, s.
-
-        Returns
-        -------
-        ndarray, shape (5, k, 7, 12)
-            In the order of `STATIC_MODES`.
-
-        Examples
-        --------
-        At the beginning there is nothing but the errors of the start:
-
-        >>> at_start = static_error_modes(0.7).at([0.0]).sum(axis=0)[0]
-        >>> np.diag(at_start).round(9)
-        array([1., 1., 1., 1., 1., 1., 1.])
+        The modes are: standing, growing, Earth, slow Schuler, fast Schuler; their sum is the whole.
         """
         time = checked_moments(times)[:, np.newaxis, np.newaxis]
         phases = [rate * time for rate in self.rates]
@@ -120,38 +97,18 @@ class StaticErrorModes(NamedTuple):
         )
 
 
-def static_error_matrix(latitude: float) -> FloatArray:
-    """Matrix of the linear error equations at rest: states' rates from states and sensor biases.
+def _matrix(latitude: float) -> FloatArray:
+    """Matrix (7, 12) of the linear error equations at rest: states' rates from states and biases.
 
-    Parameters
-    ----------
-    latitude : float
-        rad; not a pole.
-
-    Returns
-    -------
-    ndarray, shape (7, 12)
-        Rows are the seven states, columns `STATIC_CAUSES`.
-
-    Notes
-    -----
     Wu (6): phi' = -w_ie × phi + dw_in - eps, dv' = f × phi - 2 w_ie × dv + nabla, and the position
     is the integral of the velocity. dw_in contains both the turn of the local axes along a wrong
     velocity and the Earth's rate at a wrong latitude.
-
-    Examples
-    --------
-    A tilt of 1 rad about North pushes to the West with g:
-
-    >>> matrix = static_error_matrix(np.radians(45.0))
-    >>> round(float(matrix[3, STATIC_CAUSES.index("attitude North")]), 3)
-    -9.806
     """
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     meridian, _ = curvature_radii(place)
     matrix = np.zeros((7, 12))
     phi, velocity, position = slice(0, 3), slice(3, 5), slice(5, 7)
-    matrix[:5, :5] = free_rates(place)[:5, :5]  # without the velocity Up
+    matrix[:5, :5] = _free_rates(place)[:5, :5]  # without the velocity Up
     matrix[phi, 6] = np.array([0, -np.sin(place), np.cos(place)]) * EARTH_RATE / meridian
     matrix[phi, 7:10] = -np.eye(3)
     matrix[velocity, phi] = float(gravity(place)) * np.array([[0, -1, 0], [1, 0, 0]])
@@ -171,6 +128,7 @@ def static_error_modes(latitude: float) -> StaticErrorModes:
     Returns
     -------
     StaticErrorModes
+        With the rates of the oscillations, and the matrix of the equations, Wu (6).
 
     Notes
     -----
@@ -189,8 +147,13 @@ def static_error_modes(latitude: float) -> StaticErrorModes:
     >>> radius = modes.cosine[1:, 5, tilt].sum()
     >>> f"{radius / 1e6:.2f}"
     '6.38'
+
+    Their periods, and the Earth's, in minutes:
+
+    >>> [round(2 * np.pi / rate / 60, 1) for rate in modes.rates]
+    [1436.1, 88.0, 81.0]
     """
-    rates = static_error_rates(latitude)
+    rates = _rates(latitude)
     # Errors in units of their own swing: angles, Schuler's rate times the radius, the radius.
     radius = float(gravity(latitude)) / rates.schuler**2
     sizes = np.repeat(
@@ -198,7 +161,7 @@ def static_error_modes(latitude: float) -> StaticErrorModes:
         [3, 2, 2, 3, 2],
     )
     whole = np.zeros((12, 12))
-    whole[:7] = static_error_matrix(latitude)
+    whole[:7] = matrix = _matrix(latitude)
     scaled = whole * (sizes / sizes[:, np.newaxis]) / rates.schuler
     square = scaled @ scaled
     eigenvalues = -((np.array([0.0, *rates]) / rates.schuler) ** 2)
@@ -212,7 +175,7 @@ def static_error_modes(latitude: float) -> StaticErrorModes:
     still, *swinging = (part[:7] * back for part in parts)
     growing, *moving = (rates.schuler * (scaled @ part)[:7] * back for part in parts)
     sine = [part / rate for part, rate in zip(moving, rates, strict=True)]
-    return StaticErrorModes(rates, still, growing, np.stack(swinging), np.stack(sine))
+    return StaticErrorModes(rates, matrix, still, growing, np.stack(swinging), np.stack(sine))
 
 
 class StaticErrorRates(NamedTuple):
@@ -224,12 +187,6 @@ class StaticErrorRates(NamedTuple):
         The Earth's: a day, rad/s.
     slow, fast : float
         Schuler's pair, split by the Earth's turn under the pendulum, rad/s.
-
-    Examples
-    --------
-    >>> rates = static_error_rates(np.radians(45.0))  # periods in minutes
-    >>> [round(2 * np.pi / rate / 60, 1) for rate in rates]
-    [1436.1, 88.0, 81.0]
     """
 
     earth: float
@@ -238,62 +195,21 @@ class StaticErrorRates(NamedTuple):
 
     @property
     def schuler(self) -> float:
-        """Geometric mean of the pair: Schuler's rate, sqrt(g/R).
-
-        Returns
-        -------
-        float
-            rad/s.
-
-        Examples
-        --------
-        >>> round(2 * np.pi / static_error_rates(np.radians(45.0)).schuler / 60, 1)  # min
-        84.5
-        """
+        """Geometric mean of the pair: Schuler's rate, sqrt(g/R), rad/s."""
         return float(np.sqrt(self.slow * self.fast))
 
     @property
     def foucault(self) -> float:
-        """Half the difference of the pair: near the Earth's rate times the sine of the latitude.
-
-        Returns
-        -------
-        float
-            rad/s, not negative.
-
-        Examples
-        --------
-        >>> rates = static_error_rates(np.radians(-45.0))
-        >>> round(rates.foucault / rates.earth, 3)
-        0.707
-        """
+        """Half the difference of the pair, near U times the sine of the latitude, rad/s."""
         return (self.fast - self.slow) / 2
 
 
-def static_error_rates(latitude: float) -> StaticErrorRates:
+def _rates(latitude: float) -> StaticErrorRates:
     """Rates of the oscillations in the errors at rest.
 
-    Parameters
-    ----------
-    latitude : float
-        rad; not a pole.
-
-    Returns
-    -------
-    StaticErrorRates
-
-    Notes
-    -----
     The characteristic equation is s (s^2 + U^2) times that of the pendulum,
     s^4 + s^2 (w_E^2 + w_N^2 + 4 U^2 sin^2 L) + w_E^2 w_N^2 = 0, with U the Earth's rate and
-    w_E^2 = g/R_E, w_N^2 = g/R_N of the two radii of curvature. On a sphere its roots are
-    U sin L ± sqrt(w^2 + U^2 sin^2 L), near w ± U sin L.
-
-    Examples
-    --------
-    >>> rates = static_error_rates(0.0)
-    >>> bool(rates.foucault < 0.002 * rates.schuler)  # no turn of the Earth about Up
-    True
+    w_E^2 = g/R_E, w_N^2 = g/R_N of the two radii of curvature.
     """
     place = checked_latitude(finite_number(latitude, "latitude"))
     pull = float(gravity(place))
@@ -400,12 +316,8 @@ def schuler_position(times: ArrayLike, latitude: float, causes: ArrayLike) -> Fl
 
     Parameters
     ----------
-    times : array_like, shape (k,)
-        Since the start, s; few hours.
-    latitude : float
-        rad; not a pole.
-    causes : array_like, shape (..., 12)
-        In the order of `STATIC_CAUSES`.
+    times, latitude, causes : array_like, float, array_like
+        As for `static_errors`; few hours.
 
     Returns
     -------
@@ -433,7 +345,7 @@ def schuler_position(times: ArrayLike, latitude: float, causes: ArrayLike) -> Fl
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     given = finite_array(causes, "causes", len(STATIC_CAUSES))
     time = checked_moments(times)
-    rate = static_error_rates(place).schuler
+    rate = _rates(place).schuler
     radius = float(gravity(place)) / rate**2
     level = EARTH_RATE * np.cos(place)
     swing, lag = 1 - np.cos(rate * time), time - np.sin(rate * time) / rate

@@ -39,16 +39,6 @@ class StaticNavigationErrors(NamedTuple):
         East and North, m/s.
     position : ndarray, shape (..., k, 2)
         East and North, m.
-
-    Examples
-    --------
-    >>> from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS
-    >>> errors = navigate_static(
-    ...     TYPICAL_ERRORS, NO_ERRORS, [0, 0, 0, 1], start=[0, 0, 0, 1], reference=[0, 0, 0, 1],
-    ...     latitude=0.7, duration=600.0,
-    ... )
-    >>> float(errors.times[-1]), errors.position.shape
-    (600.0, (10, 2))
     """
 
     times: FloatArray

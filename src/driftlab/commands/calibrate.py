@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import argparse
+import json
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 from scipy.constants import arcminute, g, milli
 
-from driftlab.calibration import (
-    POSE_AXES,
-    PoseCalibration,
-    calibrate_by_poses,
-    calibration_document,
-)
+from driftlab.calibration import calibrate_by_poses, to_json
+from driftlab.calibration.body_axes import POSE_AXES
+from driftlab.calibration.poses import PoseCalibration
 from driftlab.checks import FloatArray
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rest_detection import Rests, rests
@@ -185,7 +183,7 @@ def _values(fit: PoseCalibration, found: Rests, axes: str) -> dict[str, Any]:
     return {
         "model": "measured = (I + K) true + bias; K is gyro_error or accelerometer_error, its rows "
         "are sensors, its columns what they feel of",
-        "calibration": calibration_document(fit, axes=axes),
+        "calibration": json.loads(to_json(fit, axes=axes)),
         "imu_errors": fit.imu_errors._asdict(),
         "deviations": fit.deviations._asdict(),
         "body_axes": fit.body_axes,

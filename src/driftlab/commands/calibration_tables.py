@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.constants import arcminute, degree, g, milli
 
-from driftlab.calibration import Consistency, PoseCalibration
+from driftlab.calibration.poses import Consistency, PoseCalibration
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
 from driftlab.recordings.rest_detection import Rests

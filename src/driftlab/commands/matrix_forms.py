@@ -14,29 +14,29 @@ from driftlab.calibration import (
     KalibrMatrices,
     PsinsMatrices,
     RosMatrices,
-    imu_errors_in_accelerometer_axes,
+    imu_errors_in_frame,
 )
 from driftlab.imu import ImuErrors
 
 from .findings import Table
 
 FORMS: Mapping[str, tuple[Any, str]] = {
-    "imu-tk": (ImuTkMatrices, "below"),
+    "imu-tk": (ImuTkMatrices, "lower triangle accelerometers"),
     "imucal": (ImucalMatrices, ""),
-    "kalibr": (KalibrMatrices, "above"),
+    "kalibr": (KalibrMatrices, "accelerometers"),
     "psins": (PsinsMatrices, ""),
     "ros": (RosMatrices, ""),
 }
-"""By program, its matrices, and where its body axes want zeros in the accelerometers' matrix."""
+"""By program, its matrices, and its body axes if the accelerometers fix them by a triangle."""
 
 
 def matrices(errors: ImuErrors, form: str) -> dict[str, np.ndarray]:
     """The matrices and biases of a program, by their names there, in its own body axes."""
-    kind, zeros = FORMS[form]
-    if zeros:
-        errors, _ = imu_errors_in_accelerometer_axes(errors, zeros)
+    kind, axes = FORMS[form]
+    if axes:
+        errors, _ = imu_errors_in_frame(errors, axes)
         # What the rotation leaves of zero; a program may refuse it.
-        half = np.tril if zeros == "above" else np.triu
+        half = np.tril if axes == "accelerometers" else np.triu
         errors = errors._replace(accelerometer_error=half(errors.accelerometer_error))
     made = kind.from_imu_errors(errors)
     arrays = {

@@ -37,12 +37,12 @@ from driftlab.book.ch08_system_calibration.experiments.choice_of_axes import UNI
 from driftlab.book.ledger import ledger_entries
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.calibration import (
-    CRITERIA,
     ERROR_MODELS,
     covariance_analysis,
     linearize_along,
     unobservable_subspace,
 )
+from driftlab.calibration.scheme_design import CRITERIA
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES, Scheme

@@ -12,7 +12,7 @@ from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.calibration.observability import unobservable_subspace
-from driftlab.calibration.static_error_growth import STATIC_CAUSES, static_error_matrix
+from driftlab.calibration.static_error_growth import STATIC_CAUSES, static_error_modes
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
@@ -94,7 +94,7 @@ def mission(values: Values) -> Rows:
     pushes = listed(values, "push_east push_north") * micro * g
     causes = np.array([*tilts, values["azimuth"] * arcminute, *[0.0] * 4, *drifts, *pushes])
     matrix = np.zeros((12, 12))
-    matrix[:7] = static_error_matrix(np.radians(values["latitude"]))
+    matrix[:7] = static_error_modes(np.radians(values["latitude"])).matrix
 
     def along(step: float, count: int) -> np.ndarray:
         """States (count + 1, 12, 12): a column for each cause by itself."""

@@ -11,7 +11,6 @@ from driftlab.calibration import (
     navigate_static,
     static_causes,
     static_error_modes,
-    static_error_rates,
     static_errors,
 )
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors
@@ -70,7 +69,8 @@ def errors_at_rest(
                 name = f"{words}{quantity}, {FRAMES[frame]}, start from {start}"
                 values = getattr(errors, quantity).T[: len(axes)]
                 columns[name] = (values, unit, meanings[words], axes)
-    slow = static_error_modes(latitude).at(times)[:3].sum(axis=0) @ next(iter(causes.values()))
+    modes = static_error_modes(latitude)
+    slow = modes.at(times)[:3].sum(axis=0) @ next(iter(causes.values()))
     rows = iter(slow.T)
     for quantity, (unit, axes) in SHOWN.items():
         values = [next(rows) for _ in axes]
@@ -80,7 +80,7 @@ def errors_at_rest(
         for key, run in runs.items()
     }
     worst = max(gaps, key=gaps.__getitem__)
-    turned = abs(static_error_rates(latitude).foucault) * times[-1]
+    turned = abs(modes.rates.foucault) * times[-1]
     return DataTable(columns, {
         "runs": (
             [f"{FRAMES[frame]}, start from {start}" for frame, start in runs], "",

@@ -7,7 +7,8 @@ import numpy as np
 
 from driftlab.book.machinery.figure.data_table import UNITS, DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration import ERROR_MODELS, TableTrial, Trial
+from driftlab.calibration import ERROR_MODELS, TableTrial
+from driftlab.calibration.simulation import Trial
 from driftlab.checks import whole_number
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import (
-    CRITERIA,
     ERROR_MODELS,
     DesignTask,
     TableTrial,
@@ -16,6 +15,7 @@ from driftlab.calibration import (
     design_scheme,
     linearize_along,
 )
+from driftlab.calibration.scheme_design import CRITERIA
 from driftlab.checks import FloatArray, whole_number
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.monte_carlo import sweep

@@ -15,7 +15,8 @@ from scipy.constants import arcsecond
 from driftlab.body_frames import GYRO_FRAMES
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration import Trial, navigate_static
+from driftlab.calibration import navigate_static
+from driftlab.calibration.simulation import Trial
 from driftlab.checks import FloatArray, positive_number
 from driftlab.imu import ImuErrors
 from driftlab.monte_carlo import sweep

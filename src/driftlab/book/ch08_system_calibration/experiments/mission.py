@@ -5,7 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from driftlab.book.machinery.figure.data_table import DataTable
-from driftlab.calibration import MissionErrors, static_error_modes
+from driftlab.calibration import static_error_modes
+from driftlab.calibration.error_budget import MissionErrors
 
 POINTS = 361
 DAY = 86400.0

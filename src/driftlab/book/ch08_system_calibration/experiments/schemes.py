@@ -9,17 +9,16 @@ import numpy as np
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import (
+    ERROR_MODELS,
     FULL,
-    ErrorModel,
-    LinearizedErrors,
-    UnobservableSubspace,
-    checked_model,
     covariance_analysis,
-    error_model_for,
     linearize_along,
     unobservable_subspace,
 )
-from driftlab.checks import checked_instance, finite_number
+from driftlab.calibration.error_dynamics import LinearizedErrors, checked_model
+from driftlab.calibration.error_model import ErrorModel
+from driftlab.calibration.observability import UnobservableSubspace
+from driftlab.checks import checked_instance, finite_number, one_of
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
 from driftlab.motion.turntable import table_trajectory
@@ -74,7 +73,7 @@ def states_on_a_table(
     """Follow the error equations along a scheme, with all 30 states or those of some body axes."""
     checked_instance(scheme, Scheme, "scheme")
     checked_instance(noise, ImuNoise, "noise")
-    model = FULL if frame is None else error_model_for(frame)
+    model = FULL if frame is None else ERROR_MODELS[one_of(frame, ERROR_MODELS, "frame")]
     return table_observability(scheme, model, noise, latitude)
 
 
