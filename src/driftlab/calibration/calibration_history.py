@@ -109,7 +109,8 @@ class Calibration(NamedTuple):
         state = self.state[..., -1, :]
         angle = self.model._corrected(measured, state).angle
         turned = attitudes(ALGORITHM, angle)[..., -1, :]
-        # In axes that do not turn with the Earth: those of the beginning.
+        # The attitude at the end is known best, and the corrected gyros lead back from it, in axes
+        # that do not turn with the Earth: those of the beginning.
         at_end = quaternion.from_rotation_vector(self.times[-1] * earth_rate(latitude))
         return state, quaternion.multiply(
             quaternion.multiply(at_end, self.attitude[..., -1, :]), quaternion.conjugate(turned)

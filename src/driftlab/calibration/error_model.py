@@ -109,9 +109,16 @@ class ErrorModel:
 
     Examples
     --------
-    >>> model = ERROR_MODELS["averaged"]
-    >>> model.size, model.names[12]
-    (27, 'gyro non-orthogonality xy')
+    >>> model = ERROR_MODELS["averaged"].with_states("time skew")
+    >>> model.size, model.names[12], model.names[27]
+    (28, 'gyro non-orthogonality xy', 'accelerometer time skew')
+    >>> state = np.arange(28.0)
+    >>> errors, more = model.imu_errors(state), model.higher_order_errors(state)
+    >>> bool((model.state(errors, more)[6:] == state[6:]).all())
+    True
+    >>> level = [0.0, 0.0, 0.0, 1.0]
+    >>> model.reduction(level).shape, model.covariance(PriorDeviations(), level).shape
+    ((28, 30), (28, 28))
     """
 
     frame: str | None

@@ -50,8 +50,8 @@ class NominalReadings:
     >>> errors = counts.imu_errors(
     ...     4778 * np.eye(3), [32768] * 3, 415 * np.eye(3), [33183] * 3
     ... )
-    >>> errors.accelerometer_bias
-    array([1., 1., 1.])
+    >>> errors.accelerometer_bias, counts.triads(errors)[3].round()
+    (array([1., 1., 1.]), array([33183., 33183., 33183.]))
     """
 
     gyro_scale: ArrayLike = 1.0
@@ -164,8 +164,10 @@ class ImuTkMatrices:
     readings : NominalReadings
         What its readings are; the biases and errors of `imu_errors` are relative to it.
 
-    Notes ----- Kyle-ak/imu_tk at 7780270, ``include/imu_tk/calibration.h``: ``unbiasNormalize``.
-    The accelerometers fix its body axes, T being zero below the diagonal: z lies along the z
+    Notes
+    -----
+    Kyle-ak/imu_tk at 7780270, ``include/imu_tk/calibration.h``: ``unbiasNormalize``. The
+    accelerometers fix its body axes, T being zero below the diagonal: z lies along the z
     accelerometer, y in the plane of y and z (``MultiPosAccResidual``, ``src/calibration.cpp``).
     Others changed that to zero above; see `imu_errors_in_frame`. The gyros' b is their mean over
     the first rest, so the Earth's rotation is in it.

@@ -81,6 +81,13 @@ class DesignTask:
     >>> from driftlab.motion.scheme import NINETEEN_POSITIONS
     >>> round(1 / DesignTask().value(NINETEEN_POSITIONS))
     28
+
+    If all is known twice as well as it has to be, the criterion is one half:
+
+    >>> float(DesignTask(requirement=(2.0,) * 21).values(np.eye(27)))
+    0.5
+    >>> DesignTask(positions=4).random_schemes(np.random.default_rng(1), count=5)[0].positions
+    4
     """
 
     criterion: str = "worst"

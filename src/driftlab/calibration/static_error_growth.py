@@ -69,6 +69,11 @@ class StaticErrorModes(NamedTuple):
         What is multiplied by the time.
     cosine, sine : ndarray, shape (3, 7, 12)
         Amplitudes at each of the rates.
+
+    Examples
+    --------
+    >>> static_error_modes(0.7).at([0.0]).shape
+    (5, 1, 7, 12)
     """
 
     rates: StaticErrorRates
