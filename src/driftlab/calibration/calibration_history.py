@@ -269,9 +269,6 @@ def innovation_test(calibration: Calibration) -> InnovationTest:
     each update; yet over 720 simulated units, bent by 40 to 400 arc seconds, squares and means
     scattered as chi-square says.
 
-    Too large a noise of the reference velocity, as at a table that stands, makes the innovations
-    small and each like the one before, for they then are the slow errors of the sensors alone.
-
     References
     ----------
     - Y. Bar-Shalom, X. R. Li, T. Kirubarajan, *Estimation with Applications to Tracking and

@@ -132,13 +132,11 @@ def mission_causes(
 
     Examples
     --------
-    A bias of an East gyro becomes an error of the heading first; the two then cancel, until the
-    vehicle turns. Both about East in the end, in units of the bias:
+    A bias of an East gyro becomes a heading error; the two cancel, until the vehicle turns:
 
-    >>> from driftlab.calibration import ERROR_MODELS
-    >>> model, east = ERROR_MODELS["averaged"], STATIC_CAUSES.index("gyro bias East")
+    >>> east = STATIC_CAUSES.index("gyro bias East")
     >>> for turn in (0.0, np.pi):
-    ...     causes = mission_causes(model, [0, 0, 0, 1], 0.0, turn)[:, 6]
+    ...     causes = mission_causes("averaged", [0, 0, 0, 1], 0.0, turn)[:, 6]
     ...     heading = EARTH_RATE * causes[STATIC_CAUSES.index("attitude Up")]
     ...     print(round(float(causes[east]), 3), round(float(heading), 3))
     1.0 -1.0

@@ -252,25 +252,21 @@ def process_noise(noise: ImuNoise, force: FloatArray, duration: FloatArray) -> F
     Parameters
     ----------
     noise : ImuNoise
-        Of the gyros and accelerometers.
+        Random walks q of the gyros and r of the accelerometers.
     force : ndarray, shape (..., 3, 3)
-        Velocity error at the end for each rad of attitude error at the beginning, m/s: a block of
-        the transition matrix.
+        F, velocity error at the end for each rad of attitude error at the beginning, m/s: a block
+        of the transition matrix.
     duration : ndarray, shape (...)
-        Length of the interval, s.
+        Length t of the interval, s.
 
     Returns
     -------
     ndarray, shape (..., 6, 6)
         Attitude error (rad) and velocity error (m/s), each East, North, Up; to the sensor errors
-        nothing is added.
+        nothing is added:
 
-    Notes
-    -----
-    For the random walks q of the gyros and r of the accelerometers, the duration t and the block F
-
-    .. math:: Q_{\varphi\varphi} = q^2 t I, \quad Q_{v\varphi} = \tfrac{1}{2} q^2 t F, \quad
-              Q_{vv} = r^2 t I + \tfrac{1}{3} q^2 t F F^T
+        .. math:: Q_{\varphi\varphi} = q^2 t I, \quad Q_{v\varphi} = \tfrac{1}{2} q^2 t F, \quad
+                  Q_{vv} = r^2 t I + \tfrac{1}{3} q^2 t F F^T
 
     Examples
     --------
@@ -359,7 +355,8 @@ def linearize_along(
     Returns
     -------
     LinearizedErrors
-        Steps of at most 10 s and 30 degrees, at least four a pause or rotation.
+        Wu (49), (50) along the true motion, in steps of at most 10 s and 30 degrees, at least four
+        a pause or rotation.
 
     Raises
     ------
@@ -370,11 +367,6 @@ def linearize_along(
     --------
     covariance_analysis : The accuracy to be expected.
     unobservable_subspace : What no measurement shows.
-
-    Notes
-    -----
-    Wu (49), (50), along the true motion. The integrals over each step are taken by a Gauss
-    quadrature with four nodes.
 
     Examples
     --------

@@ -195,10 +195,7 @@ class ErrorModel:
         return np.concatenate([np.broadcast_to(x, (*lead, x.shape[-1])) for x in parts], axis=-1)
 
     def with_states(self, *groups: str) -> ErrorModel:
-        """Return this model with states that describe some of `driftlab.higher_order_errors.TERMS`.
-
-        It is one object for each choice of groups.
-        """
+        """Return this model with states for some of `driftlab.higher_order_errors.TERMS`."""
         chosen = checked_terms((*self.higher_order, *groups))
         if chosen == self.higher_order:
             return self

@@ -86,7 +86,7 @@ def predict(covariance: ArrayLike, transition: ArrayLike, noise: ArrayLike) -> F
 def correct(
     covariance: ArrayLike, innovation: ArrayLike, observation: ArrayLike, noise: ArrayLike
 ) -> Update:
-    r"""Believe a measurement as far as it deserves.
+    """Believe a measurement as far as it deserves.
 
     Parameters
     ----------
@@ -112,17 +112,12 @@ def correct(
     Notes
     -----
     With :math:`S = H P H^T + R` and the gain :math:`G = P H^T S^{-1}` the correction is
-    :math:`G z`, the covariance :math:`P - G H P`, the NIS :math:`z^T S^{-1} z`.
-
-    R. E. Kalman, *A new approach to linear filtering and prediction problems*, Journal of Basic
-    Engineering 82, 1960; predict and correct are its two halves in the field's form, as in
-    R. G. Brown and P. Y. C. Hwang, *Introduction to Random Signals and Applied Kalman Filtering*.
-
-    Joseph's form :math:`(I - GH) P (I - GH)^T + G R G^T` is right to first order in an error of
-    the gain, and is the one to take with a gain that is not this one. With this gain both are the
-    same matrix but for rounding; the short form needs a fraction of the work, and is made symmetric
-    at each step. It takes one number from another: variances that a measurement makes smaller by
-    more than some twelve digits are lost in the rounding of what they were. Joseph's form has them.
+    :math:`G z`, the covariance :math:`P - G H P`, the NIS :math:`z^T S^{-1} z`; R. E. Kalman,
+    *A new approach to linear filtering and prediction problems*, Journal of Basic Engineering 82,
+    1960. With another gain take Joseph's form, :math:`(I - GH) P (I - GH)^T + G R G^T`. With this
+    one both are the same but for rounding, and the short form, made symmetric at each step, needs a
+    fraction of the work. It takes one number from another: variances that a measurement makes
+    smaller by more than some twelve digits are lost in the rounding of what they were.
 
     Examples
     --------

@@ -408,15 +408,8 @@ class PsinsMatrices:
     @property
     def imu_errors(self) -> ImuErrors:
         """The same unit as `ImuErrors`."""
-        checked_zeros(
-            Ka2=self.Ka2,
-            Kap=self.Kap,
-            rx=self.rx,
-            ry=self.ry,
-            rz=self.rz,
-            tGA=self.tGA,
-            gSens=self.gSens,
-        )
+        refused = "Ka2", "Kap", "rx", "ry", "rz", "tGA", "gSens"
+        checked_zeros(**{name: getattr(self, name) for name in refused})
         return _bias_behind_matrix(Kg=self.Kg, eb=self.eb, Ka=self.Ka, db=self.db)
 
     @classmethod

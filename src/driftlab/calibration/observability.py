@@ -83,12 +83,8 @@ def gramian_ranks(
 
     Parameters
     ----------
-    scheme : Scheme or str
-        Pauses and rotations.
-    latitude : float
-        Of the table, rad; not a pole.
-    model : ErrorModel or str
-        The states.
+    scheme, latitude, model : Scheme or str, float, ErrorModel or str
+        As for `linearize_along`.
     pauses_only : bool
         The velocity is looked at in the pauses alone.
 

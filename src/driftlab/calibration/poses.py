@@ -130,10 +130,6 @@ class PoseCalibration:
         s.
     iterations : int
         How often the record was integrated.
-
-    Examples
-    --------
-    See `calibrate_by_poses`.
     """
 
     imu_errors: ImuErrors
@@ -159,12 +155,7 @@ class PoseCalibration:
 
     @property
     def why(self) -> str:
-        """What the residuals are, and whether the noise of the rests explains them.
-
-        Returns
-        -------
-        str
-        """
+        """What the residuals are, and whether the noise of the rests explains them."""
         sizes = [self.force_residuals, np.degrees(self.turn_residuals), self.rate_residuals]
         units = ("m/s^2", "degrees", "rad/s")
         words = ("Gravity at rest", "Gravity or attitude after a move", "Gyros at rest")
@@ -249,30 +240,25 @@ def calibrate_by_poses(
     -----
     Least squares for 21 numbers at once: L (6 numbers, three being fixed by the choice of axes) and
     the accelerometers' bias from :math:`|(I + L)^{-1} (f - b)| = g` at each rest; K and the gyros'
-    bias from the two components of
-
-    .. math:: C_{ij}^T u_i - u_j
-
-    across the gravity u for each move from i to j; the bias from the gyros at rest as well. The
-    attitude C over a move is integrated from the compensated increments, and errors dK, db that are
-    left turn it by the vector (in the axes of the beginning)
+    bias from the two components of :math:`C_{ij}^T u_i - u_j` across the gravity u for each move
+    from i to j; the bias from the gyros at rest as well. The attitude C over a move is integrated
+    from the compensated increments, and errors dK, db that are left turn it by the vector (in the
+    axes of the beginning)
 
     .. math:: -\int C\,(I + K)^{-1} (dK\,\omega + db)\, dt.
 
-    The covariance of the residuals counts that a rest takes part in two moves. Where the residuals
-    of one kind are larger than noise allows (0.975 quantile), a deviation is added to each of that
-    kind, so that they fit (random effects, as Paule and Mandel have it); without this the stated
-    deviations of real units would be many times too small. See `PoseCalibration.consistency`.
+    Where the residuals of one kind are larger than noise allows (0.975 quantile), a deviation is
+    added to each of that kind, so that they fit (random effects, as Paule and Mandel have it);
+    without this the stated deviations of real units would be many times too small. See
+    `PoseCalibration.consistency`.
 
     Over a closed path the turn itself must vanish, all three components. For k whole turns about
-    one axis n, C turns about n, so that all in the integral that stands across n adds up to
-    nothing, and along n it is :math:`-2 \pi k\, n^T dK\, n`: the turn left over, by
-    :math:`2 \pi k`, is the estimate of n^T Sigma n of `driftlab.drift.turn_estimate`, Larin (3.3).
+    one axis n the turn left over, by :math:`2 \pi k`, is the estimate of n^T Sigma n of
+    `driftlab.drift.turn_estimate`, Larin (3.3).
 
     The Earth's rate is in all rests and moves, one vector of known size and unknown direction, and
-    the covariance counts it as that: turned into the body as the gyros have it, with a variance of
-    a third of its square along each axis of the first rest. So neither the bias nor K takes it for
-    its own; the bias is that of the gyros without the Earth.
+    the covariance counts it as that. So neither the bias nor K takes it for its own; the bias is
+    that of the gyros without the Earth.
 
     Noise is taken for white from half a second on. If it is slower, the deviations of K and L are
     too small: by some ten per cent in most simulations, L's by half in some. The biases are means

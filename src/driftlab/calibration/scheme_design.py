@@ -271,8 +271,7 @@ def design_scheme(
     A climb tries neighbours in random order: another turn in one place, the later ones about the
     same axes of the body or of the room; a turn taken to another place; another start. It goes on
     from the best of a few dozen as soon as one is better, and ends when none is. Such exchanges
-    are the common way to D-optimal plans of experiments: Fedorov, *Theory of Optimal Experiments*,
-    Academic Press, 1972.
+    are the common way to D-optimal plans of experiments.
 
     Examples
     --------

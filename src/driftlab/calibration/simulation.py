@@ -138,10 +138,6 @@ class TableTrial:
 
     Examples
     --------
-    >>> trial = TableTrial(frame="upper triangle", noise=ImuNoise(reference_velocity=0.001))
-    >>> trial.update_interval / trial.sample_interval  # samples in an update
-    20.0
-
     True scale-factor error of a gyro and the one found in eleven minutes, in ppm:
 
     >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)

@@ -65,16 +65,13 @@ def navigate_static(
 
     Parameters
     ----------
-    imu_errors : ImuErrors
-        The true errors (...), in the axes of `attitude`.
-    estimated : ImuErrors
-        The errors that a calibration found (...), in the body axes of its own choice.
+    imu_errors, estimated : ImuErrors
+        The true errors (...), in the axes of `attitude`, and those that a calibration found (...),
+        in the body axes of its own choice.
     attitude : array_like or Rotation, shape (4,)
         True attitude of the unit, body to East, North, Up.
-    start : array_like or Rotation, shape (..., 4)
-        Attitude with which the computation begins.
-    reference : array_like or Rotation, shape (..., 4)
-        True attitude of the axes whose attitude is wanted: errors count from it.
+    start, reference : array_like or Rotation, shape (..., 4)
+        Attitude with which the computation begins, and the true one from which errors count.
     latitude : float
         rad; not a pole.
     duration : float
@@ -91,17 +88,14 @@ def navigate_static(
     Returns
     -------
     StaticNavigationErrors
-        Errors (..., k) of attitude, velocity and position.
+        Errors (..., k) as in Wu, Figs. 3-5. Altitude and vertical velocity are held, as by a
+        barometer.
 
     Raises
     ------
     ValueError
         If the times are not positive and in ascending order, `noise` is given without `rng`, or as
         in `driftlab.strapdown.navigate`.
-
-    Notes
-    -----
-    Wu, Figs. 3-5. Altitude and vertical velocity are held, as by a barometer.
 
     Examples
     --------
