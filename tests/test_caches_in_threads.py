@@ -18,7 +18,7 @@ from driftlab.attitude import integrate
 from driftlab.axes import convert_vectors
 from driftlab.calibration import ERROR_MODELS, DesignTask
 from driftlab.gyrocompass import Gyrocompass, align_in_inertial_frame, marine_type_test
-from driftlab.monte_carlo import sweep
+from driftlab.monte_carlo import run_batches
 from driftlab.motion import static_trajectory
 from driftlab.noise_identification import fit_noise_terms
 from fuzz_rules import leaves
@@ -106,12 +106,12 @@ def test_threads_are_given_the_same_model(hasty_threads):
         assert len(set(map(id, models))) == 1
 
 
-def test_every_cache_is_filled_by_these_calls(tmp_path):
+def test_every_cache_is_filled_by_these_calls():
     for kept in caches().values():
         kept.cache_clear()
     for call in CALLS.values():
         call()
-    sweep(one_run, 4, seed=1, folder=tmp_path)  # its digest is of files, not of threads
+    run_batches(one_run, 4, seed=1)
     empty = {name for name, kept in caches().items() if not kept.cache_info().currsize}
     assert not empty
     assert len(caches()) > 6

@@ -20,7 +20,6 @@ LONGEST_VALUE = 90
 """A constant's value is shown if its text is no longer."""
 TITLES = {
     "": "Ground floor",
-    "monte_carlo": "Many runs",
     "motion": "Motion",
     "drift": "Drift",
     "attitude": "Attitude",

@@ -46,11 +46,10 @@ GROUND_FLOOR = (
         "sampled_rates",
         "strapdown",
     ),
-    *("noise_terms", "allan", "noise_identification", "compilation", "diagnosis"),
+    *("noise_terms", "allan", "noise_identification", "compilation", "monte_carlo", "diagnosis"),
 )
 SUBJECTS = (
     *(
-        "monte_carlo",
         "motion",
         "drift",
         "attitude",

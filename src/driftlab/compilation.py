@@ -39,7 +39,7 @@ def use_compiled(on: bool = True) -> None:
     is_compiled : Whether they are.
     driftlab.attitude.integrate : Attitude from increments.
     driftlab.strapdown.navigate : Velocity and position as well.
-    driftlab.monte_carlo.sweep : Many runs on all processors.
+    driftlab.monte_carlo.run_batches : Monte Carlo runs on all processors.
 
     Notes
     -----

@@ -8,7 +8,7 @@ import pytest
 import driftlab.book.__main__ as command
 from driftlab.book.machinery.figure.publish import FigureDefinition
 from driftlab.calibration.simulation import TableTrial
-from driftlab.monte_carlo import sweep
+from driftlab.monte_carlo import run_batches
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
 TASK = TableTrial(
@@ -19,7 +19,9 @@ TASK = TableTrial(
 
 
 def study():
-    return np.concatenate([batch.nees[:, -1] for batch in sweep(TASK, 4, seed=1, batch=2)])
+    return np.concatenate(
+        [batch.nees[:, -1] for batch in run_batches(TASK, 4, seed=1, batch_size=2)]
+    )
 
 
 @pytest.fixture
@@ -65,7 +67,7 @@ def test_processes_change_nothing_and_what_is_kept_is_taken(drawn, tmp_path, mon
 @pytest.mark.parametrize(
     ("options", "says"),
     [
-        (["--workers", "0"], "count: expected a whole number of at least 1, got 0."),
+        (["--workers", "0"], "workers: expected a whole number of at least 1, got 0."),
         (["01"], "among 00-study, 04-larin-numbers; got 01."),
         (["--keep", "{file}/kept"], "Not a directory: '{file}/kept'"),
         (["--scheduler", "tcp://127.0.0.1:1"], "pip install driftlab[cluster]."),

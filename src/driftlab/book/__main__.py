@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import argparse
 import io
+import os
 import shutil
 import sys
 from collections.abc import Callable, Iterable, Mapping
-from concurrent.futures import Executor
 from contextlib import ExitStack
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from joblib import parallel_config
 from tqdm import tqdm
 
 import driftlab
-from driftlab.monte_carlo import cluster, processes, running_on
+from driftlab.checks import whole_number
+from driftlab.monte_carlo import FOLDER
 
 from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, experiment_numbers
 from .errata import errata
@@ -95,14 +97,16 @@ def write_figures_on(
         try:
             if keep is not None:
                 keep.mkdir(parents=True, exist_ok=True)
-            pool: Executor | None = None
+                os.environ[FOLDER] = str(keep)
+                places.callback(os.environ.pop, FOLDER)
             if scheduler is not None:
-                pool = places.enter_context(cluster(scheduler))
+                places.enter_context(_cluster(scheduler))
+                places.enter_context(parallel_config("dask"))
             elif workers != 1:
-                pool = places.enter_context(processes(workers))
+                count = -1 if workers is None else whole_number(workers, "workers")
+                places.enter_context(parallel_config("loky", n_jobs=count, inner_max_num_threads=1))
         except (ValueError, OSError, ModuleNotFoundError) as error:
             sys.exit(str(error))
-        places.enter_context(running_on(pool, folder=keep))
         if chosen is None:
             write_gallery(folder, figure_definitions())
             return
@@ -115,6 +119,17 @@ def write_figures_on(
             )
         if LARIN_NUMBERS in chosen:
             write_larin_numbers(folder)
+
+
+def _cluster(scheduler: str) -> Any:
+    """The client of a cluster of dask, which joblib finds."""
+    try:
+        from distributed import Client
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError(
+            "scheduler: dask.distributed is not installed; pip install driftlab[cluster]."
+        ) from None
+    return Client(scheduler)
 
 
 def write_figures_or_compare(

@@ -14,7 +14,7 @@ from scipy.constants import arcsecond
 from driftlab.body_frames import BODY_FRAMES
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number, whole_number
-from driftlab.monte_carlo import sweep
+from driftlab.monte_carlo import run_batches
 from driftlab.motion.scheme import SCHEMES
 
 from .consistency import QUICK_TRIAL, quick_trial
@@ -147,6 +147,6 @@ def normalised_errors(
     """Mean squared normalised error of the states of random units after calibration, (units,)."""
     table = quick_trial(case.scheme, case.size, dwell)
     trial = replace(table, frame=case.frame, passes=case.passes)
-    found = sweep(trial.run, units, seed=seed, batch=BATCH)
+    found = run_batches(trial.run, units, seed=seed, batch_size=BATCH)
     size = found[0].calibration.model.size
     return np.concatenate([batch.nees[:, -1] for batch in found]) / size

@@ -8,7 +8,7 @@ from scipy.constants import arcsecond
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.calibration import TableTrial
 from driftlab.imu import ImuNoise, PriorDeviations
-from driftlab.monte_carlo import mean_square_bounds, sweep
+from driftlab.monte_carlo import mean_square_bounds, run_batches
 from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
 
 from .schemes import TYPICAL_NOISE
@@ -51,7 +51,7 @@ def filter_consistency(
         scheme, noise=noise, assumed_noise=assumed_noise,
         sample_interval=0.1, update_interval=3.0, keep=7,
     )  # fmt: skip
-    found = sweep(table.run, runs, seed=seed, batch=runs)[0]
+    found = run_batches(table.run, runs, seed=seed, batch_size=runs)[0]
     size = found.calibration.model.size
     nis = found.calibration.nis
     innovations = nis.mean(axis=0) / 3

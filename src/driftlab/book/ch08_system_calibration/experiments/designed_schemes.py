@@ -18,7 +18,7 @@ from driftlab.calibration import (
 from driftlab.calibration.scheme_design import CRITERIA
 from driftlab.checks import FloatArray, whole_number
 from driftlab.imu import ImuNoise, PriorDeviations
-from driftlab.monte_carlo import sweep
+from driftlab.monte_carlo import run_batches
 from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
 
 BEST, FREE = "worst, two axes", "worst, three axes"
@@ -168,7 +168,7 @@ def _calibrated(
     )
     # Whole updates, and no pause is longer than it may be.
     table = replace(table, scheme=replace(scheme, dwell=3.0 * (scheme.dwell // 3.0)))
-    batches = sweep(table.run, units, seed=seed, batch=25)
+    batches = run_batches(table.run, units, seed=seed, batch_size=25)
     errors = np.concatenate([batch.errors[:, -1, 6:] for batch in batches])
     nees = np.concatenate([batch.nees[:, -1] for batch in batches])
     return errors, nees / batches[0].errors.shape[-1]

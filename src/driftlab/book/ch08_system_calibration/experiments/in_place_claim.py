@@ -19,7 +19,7 @@ from driftlab.calibration import navigate_static
 from driftlab.calibration.simulation import Trial
 from driftlab.checks import FloatArray, positive_number
 from driftlab.imu import ImuErrors
-from driftlab.monte_carlo import sweep
+from driftlab.monte_carlo import run_batches
 from driftlab.motion.scheme import SCHEMES
 
 from .at_rest import REST_DURATION
@@ -116,7 +116,7 @@ def error_ratios(
     """
     table = quick_trial(scheme, size, dwell)
     averaged, *others = (
-        sweep(replace(table, frame=frame).run, units, seed=seed, batch=units)[0]
+        run_batches(replace(table, frame=frame).run, units, seed=seed, batch_size=units)[0]
         for frame in (AVERAGED, *rivals)
     )
     known = averaged.calibration.imu_errors
