@@ -6,8 +6,7 @@ import pytest
 from scipy.stats import binom, chi2
 
 from driftlab.allan import allan_deviation
-from driftlab.core.allan import covariance, term_variances, variances
-from driftlab.core.noise_identification import degrees_of_freedom
+from driftlab.core.allan import covariance, degrees_of_freedom, term_variances, variances
 from driftlab.noise_terms import TERMS, NoiseTerms
 
 PURE = {name: NoiseTerms(**{name: 1.0}) for name in TERMS}

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from scipy.spatial.transform import Rotation
 
-from driftlab.axes import axes_rotation, convert_attitude, convert_matrix, convert_vectors
+from driftlab.axes import _axes_rotation, convert_attitude, convert_matrix, convert_vectors
 from driftlab.earth import earth_rate
 from driftlab.frames import FROM_EAST_NORTH_UP, from_euler_angles, to_euler_angles
 from driftlab.gyrocompass import align
@@ -34,7 +34,7 @@ TURN = 16 * EPS
 
 def test_there_are_as_many_axes_as_turns_of_a_cube():
     assert len(LOCAL) == len(BODY) == 24
-    turns = {axes_rotation("NED", name).tobytes() for name in LOCAL}
+    turns = {_axes_rotation("NED", name).tobytes() for name in LOCAL}
     cube = {(m.round() + 0.0).tobytes() for m in Rotation.create_group("O").as_matrix()}
     assert turns == cube
 
@@ -93,7 +93,7 @@ def test_a_matrix_does_the_same_to_a_vector(old, new, matrix, vector):
 @given(quaternions(), st.tuples(local_axes, local_axes), st.tuples(body_axes, body_axes))
 def test_attitude_is_scipys_between_changed_axes(attitude, reference, body):
     found = convert_attitude(attitude, reference, body)
-    expected = axes_rotation(*reference) @ to_matrix(attitude) @ axes_rotation(*body).T
+    expected = _axes_rotation(*reference) @ to_matrix(attitude) @ _axes_rotation(*body).T
     np.testing.assert_allclose(Rotation.from_quat(found).as_matrix(), expected, rtol=0, atol=TURN)
     back = convert_attitude(found, reference[::-1], body[::-1])
     assert same_rotation(back, attitude, TURN)

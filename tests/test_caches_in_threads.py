@@ -20,7 +20,7 @@ from driftlab.calibration import ERROR_MODELS, DesignTask
 from driftlab.gyrocompass import Gyrocompass, align_in_inertial_frame, marine_type_test
 from driftlab.monte_carlo import run_batches
 from driftlab.motion import static_trajectory
-from driftlab.noise_identification import fit_noise_terms
+from driftlab.noise_terms import fit_noise_terms
 from fuzz_rules import leaves
 
 THREADS = 8

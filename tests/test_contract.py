@@ -214,9 +214,7 @@ CASES = {
     earth.earth_rate: {"latitude": LATITUDE},
     earth.checked_latitude: {"latitude": LATITUDE},
     earth.curvature_radii: {"latitude": LATITUDE},
-    earth.gravity_north: {"latitude": LATITUDE, "altitude": TIME},
     earth.gravity: {"latitude": LATITUDE, "altitude": TIME},
-    earth.position_vector: {"latitude": LATITUDE, "altitude": TIME},
     frames.from_euler_angles: {"heading": TIME, "pitch": PITCH, "roll": TIME},
     frames.to_euler_angles: {"attitude": Q},
     frames.navigation_frame_rate: {"latitude": LATITUDE, "velocity": LEVEL},
@@ -312,13 +310,9 @@ APART = {
     closed_motion.exact_drift_per_motion,
     riccati.integrate_riccati,  # takes a row of times and returns all that it knows about them
     finite_precision.integrate_in_word,  # answers in the word that it is asked for
-    # Positions in m are too large for half precision.
-    earth.geodetic,
-    earth.gravitation,
     # Their arguments and answers are records of several arrays.
     strapdown.at_rest,
     turntable.static_trajectory,
-    vectors.left_jacobian,
     vectors.wrap_angle,
     increments.compensate,
     increments.checked_increments,

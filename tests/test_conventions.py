@@ -6,7 +6,7 @@ from hypothesis import given, settings, strategies as st
 from scipy.spatial.transform import Rotation
 
 from driftlab.attitude.cayley import cayley_vector
-from driftlab.axes import axes_rotation
+from driftlab.axes import _axes_rotation
 from driftlab.calibration.body_axes import attitude_error as error_of_part_iii
 from driftlab.conventions import (
     ATTITUDE_ERRORS,
@@ -88,7 +88,7 @@ def test_error_of_an_alignment_has_groves_sign():
 
 def local_axes(latitude, longitude):
     """Rows East, North, Up in Earth-centred axes, by SciPy."""
-    return axes_rotation("NED", "ENU") @ (
+    return _axes_rotation("NED", "ENU") @ (
         Rotation.from_euler("ZY", [longitude, -latitude - np.pi / 2]).as_matrix().T
     )
 

@@ -6,9 +6,9 @@ import pytest
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
     HigherOrderErrors,
+    _rate_changes,
     checked_higher_order_errors,
     felt_besides,
-    rate_changes,
 )
 from driftlab.imu import TYPICAL_ERRORS
 from driftlab.increments import Increments, compensate, measure
@@ -91,7 +91,7 @@ def test_an_arm_common_to_all_three_is_a_velocity_that_ends_with_the_turn():
 
 def test_changes_of_the_rate_add_up():
     angle = RNG.standard_normal((2, 7, 3))
-    total = rate_changes(0.5, angle).sum(axis=-2)
+    total = _rate_changes(0.5, angle).sum(axis=-2)
     np.testing.assert_allclose(total, (angle[:, -1] - angle[:, 0]) / 0.5, rtol=1e-13, atol=1e-13)
 
 

@@ -11,7 +11,8 @@ from scipy.spatial.transform import Rotation
 from driftlab.attitude.sculling import step_velocities
 from driftlab.checks import UnusualWarning
 from driftlab.core import strapdown as core
-from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity, gravity_north
+from driftlab.core.earth import gravity_north
+from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity
 from driftlab.increments import Increments
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 from driftlab.motion.turntable import static_trajectory, table_trajectory

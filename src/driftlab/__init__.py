@@ -39,7 +39,7 @@ Conventions, fixed here once for the whole package:
 * What is annotated ``FloatArray`` is an array that the package has made: it is not checked again.
 
 Ground floor: `checks`, `vectors`, `quaternion`, `earth`, `axes`, `conventions`, `frames`, `triad`,
-`body_frames`, `imu`, `increments`, `strapdown`, `noise_terms`, `allan`, `noise_identification`,
+`body_frames`, `imu`, `increments`, `strapdown`, `allan`, `noise_terms`,
 `compilation`, `monte_carlo`.
 On it stand the subjects: `motion`, `drift`, `attitude`, `recordings`,
 `calibration`, `gyrocompass`. All of these need NumPy and SciPy only, and so does `commands`, but

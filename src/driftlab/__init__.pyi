@@ -18,7 +18,6 @@ from . import (
     increments as increments,
     monte_carlo as monte_carlo,
     motion as motion,
-    noise_identification as noise_identification,
     noise_terms as noise_terms,
     quaternion as quaternion,
     recordings as recordings,
@@ -65,7 +64,7 @@ from .increments import (
 )
 from .motion.scheme import Scheme as Scheme
 from .motion.table_turn import TableTurn as TableTurn
-from .noise_identification import fit_noise_terms as fit_noise_terms
+from .noise_terms import fit_noise_terms as fit_noise_terms
 from .sampled_rates import increments_from_rates as increments_from_rates
 from .strapdown import (
     at_rest as at_rest,

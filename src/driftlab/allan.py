@@ -2,7 +2,7 @@
 
 The Allan deviation says by how much the means of two neighbouring stretches differ, over the
 length of the stretches. Five kinds of noise make five straight lines on a double logarithmic plot:
-`noise_terms` has them, and `noise_identification` finds them in a record.
+`noise_terms` has them, and finds them in a record.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike
 
 from .checks import FloatArray, finite_array, positive_array, positive_number, probability
 from .core import allan as core
-from .core.noise_identification import degrees_of_freedom
 from .core.quantiles import chi_squared_quantile
 
 _GRID = 30
@@ -56,31 +55,9 @@ class AllanDeviation:
     count: int
 
     def row(self, *index: int) -> AllanDeviation:
-        """Return that of one of several sensors.
-
-        Parameters
-        ----------
-        *index : int
-            Places along the leading axes of the samples.
-
-        Returns
-        -------
-        AllanDeviation
-            With arrays (k,) if there is an index for each leading axis.
-
-        Examples
-        --------
-        >>> three = allan_deviation(np.random.default_rng(1).normal(size=(3, 1000)), 0.1)
-        >>> three.deviation.shape == (3, *three.row(0).deviation.shape)
-        True
-        """
-        return replace(
-            self,
-            deviation=self.deviation[index],
-            lower=self.lower[index],
-            upper=self.upper[index],
-            degrees_of_freedom=self.degrees_of_freedom[index],
-        )
+        """Return that of one of several sensors, by its place along each leading axis."""
+        of_each = ("deviation", "lower", "upper", "degrees_of_freedom")
+        return replace(self, **{name: getattr(self, name)[index] for name in of_each})
 
 
 def allan_deviation(
@@ -95,32 +72,29 @@ def allan_deviation(
     Parameters
     ----------
     samples : array_like, shape (..., n)
-        Rates, at least 3, along the last axis: rad/s, or any unit. Increments of angle are rates
-        times the interval.
+        Rates along the last axis, at least 3: rad/s, or any unit.
     interval : float
         Between samples, s.
     averaging_times : array_like, shape (k,), optional
-        s, taken to the nearest whole number of samples, from one to half of them. If not given,
-        some thirty in equal ratios, up to a quarter of the record.
+        s, taken to the nearest whole number of samples, from one to half of them; by default some
+        thirty in equal ratios, up to a quarter of the record.
     confidence : float
         Probability of each interval, between 0 and 1.
 
     Returns
     -------
     AllanDeviation
-        With the averaging times that were taken.
+        Deviations, intervals, and the averaging times that were taken.
 
     Raises
     ------
     ValueError
         If there are fewer than three samples, sensors stand in columns, an averaging time is out of
-        range, or the samples are so small or large that the fourth powers of their deviations are
-        no numbers.
+        range, or the fourth powers of the samples' deviations are no numbers.
 
     See Also
     --------
-    driftlab.noise_identification.fit_noise_terms : The noise terms behind it.
-    driftlab.noise_terms.NoiseTerms : What they are, and samples of them.
+    driftlab.noise_terms.fit_noise_terms : The noise terms behind it.
 
     Notes
     -----
@@ -131,20 +105,12 @@ def allan_deviation(
         \sum_{k=1}^{n - 2m + 1} \left( \bar\omega_{k+m} - \bar\omega_k \right)^2.
 
     The intervals are those of chi-square with equivalent degrees of freedom, as in W. Riley's
-    Handbook of Frequency Stability Analysis, NIST SP 1065 (2008), section 5.3. How many there are
-    depends on the noise. Here the five terms are fitted first; then the variance of each point
-    follows from the integral of the squared spectrum behind the Allan filter (P. Lesage, C. Audoin,
-    IEEE Transactions on Instrumentation and Measurement 22, 1973). For pure terms this agrees with
-    Table 5 of the handbook within some percent, or has fewer. No time has
-    less than one. The intervals hold for noise of these five kinds, and point by point: neighbours
-    are made of the same samples and go astray together.
-
-    References
-    ----------
-    - IEEE, *IEEE Standard Specification Format Guide and Test Procedure for Single-Axis
-      Interferometric Fiber Optic Gyros*, IEEE Std 952, 1997.
-    - N. El-Sheimy, H. Hou, X. Niu, *Analysis and modeling of inertial sensors using Allan
-      variance*, IEEE Transactions on Instrumentation and Measurement 57(1), 2008.
+    Handbook of Frequency Stability Analysis, NIST SP 1065 (2008), section 5.3. To find these, the
+    five terms of IEEE Std 952 are fitted first; then the variance of each point follows from the
+    integral of the squared spectrum behind the Allan filter (P. Lesage, C. Audoin, IEEE
+    Transactions on Instrumentation and Measurement 22, 1973). For pure terms this agrees with
+    Table 5 of the handbook within some percent, or has fewer. The intervals hold for noise of these
+    five kinds, and point by point: neighbours are made of the same samples and go astray together.
 
     Examples
     --------
@@ -178,7 +144,7 @@ def allan_deviation(
         raise ValueError(f"samples: expected deviations of at least 1e-60, got {sizes.min():.3g}.")
     freedom = np.empty_like(all_variances)
     for index in np.ndindex(rates.shape[:-1]):
-        freedom[index] = degrees_of_freedom(all_variances[index], grid, length, step)
+        freedom[index] = core.degrees_of_freedom(all_variances[index], grid, length, step)
     chosen = np.searchsorted(grid, counts)
     variances, freedom = all_variances[..., chosen], freedom[..., chosen]
     tails = chi_squared_quantile(

@@ -2,7 +2,8 @@
 
 Axes are named by three letters, the directions of the first, second and third axis. Local axes are
 made of N, E, S, W (the compass) with U and D (up, down); body axes of F, B, R, L (forward, back,
-right, left) with U and D. So ``"ENU"`` is East, North, Up, and ``"FRD"`` forward, right, down.
+right, left) with U and D. So ``"ENU"`` is East, North, Up, and ``"FRD"`` forward, right, down. Two
+axes must not share a line, and the three must be right-handed.
 
 This package has ENU in chapters 01 to 08, and NUE with body axes FUR in Part IV. Most logs and most
 textbooks have NED with FRD, Chinese ones ENU with RFU, and robots ENU with FLU. Nothing in the
@@ -27,45 +28,8 @@ _KINDS = {"local": _LOCAL | {"D": (0, 0, -1)}, "body": _BODY | {"D": (0, 0, -1)}
 _EXAMPLES = {"local": "local axes such as 'NED' or 'ENU'", "body": "body axes such as 'FRD'"}
 
 
-def axes_rotation(from_axes: str, to_axes: str) -> FloatArray:
-    """Matrix from components in some axes to components in others, a permutation with signs.
-
-    Parameters
-    ----------
-    from_axes, to_axes : str
-        Three letters each; both local or both body axes, and right-handed.
-
-    Returns
-    -------
-    ndarray, shape (3, 3)
-        Entries 0, 1 and -1.
-
-    Raises
-    ------
-    ValueError
-        If letters are unknown, two of them share a line, the axes are left-handed, or one argument
-        names local axes and the other body axes.
-
-    Examples
-    --------
-    >>> axes_rotation("NED", "ENU")
-    array([[ 0.,  1.,  0.],
-           [ 1.,  0.,  0.],
-           [ 0.,  0., -1.]])
-
-    For an attitude matrix, body to local, both sides change:
-
-    >>> matrix = np.eye(3)  # level and towards North, body FRD to NED
-    >>> axes_rotation("NED", "NUE") @ matrix @ axes_rotation("FRD", "FUR").T
-    array([[1., 0., 0.],
-           [0., 1., 0.],
-           [0., 0., 1.]])
-
-    >>> axes_rotation("NED", "NEU")
-    Traceback (most recent call last):
-        ...
-    ValueError: to_axes: expected right-handed axes, got 'NEU', which are left-handed.
-    """
+def _axes_rotation(from_axes: str, to_axes: str) -> FloatArray:
+    """Matrix (3, 3) of 0, 1 and -1, from components in some axes to components in others."""
     kind, given = _directions(from_axes, "from_axes")
     other, wanted = _directions(to_axes, "to_axes")
     if kind != other:
@@ -84,22 +48,18 @@ def convert_vectors(vectors: ArrayLike, from_axes: str, to_axes: str) -> FloatAr
     vectors : array_like, shape (..., 3)
         In any unit.
     from_axes, to_axes : str
-        As in `axes_rotation`.
+        Three letters each; both local or both body axes.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        In the unit of `vectors`.
+        In the same unit.
 
     Raises
     ------
     ValueError
-        As in `axes_rotation`.
-
-    See Also
-    --------
-    convert_matrix : Error matrices in other axes.
-    convert_attitude : Attitudes between other axes.
+        If letters are unknown, two of them share a line, the axes are left-handed, or one argument
+        names local axes and the other body axes.
 
     Examples
     --------
@@ -111,7 +71,7 @@ def convert_vectors(vectors: ArrayLike, from_axes: str, to_axes: str) -> FloatAr
            [0.1, 9.8, 0.2]])
     """
     # Adding zero makes the minus zeros of a changed sign plain ones.
-    return finite_array(vectors, "vectors", 3) @ axes_rotation(from_axes, to_axes).T + 0.0
+    return finite_array(vectors, "vectors", 3) @ _axes_rotation(from_axes, to_axes).T + 0.0
 
 
 def convert_matrix(matrix: ArrayLike, from_axes: str, to_axes: str) -> FloatArray:
@@ -122,18 +82,13 @@ def convert_matrix(matrix: ArrayLike, from_axes: str, to_axes: str) -> FloatArra
     matrix : array_like, shape (..., 3, 3)
         An error matrix of a triad, with a sensor along each axis, or a covariance of a vector.
     from_axes, to_axes : str
-        As in `axes_rotation`.
+        As in `convert_vectors`.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
         The same map; for a triad the sensors are counted, and their signs taken, along the new
         axes.
-
-    Raises
-    ------
-    ValueError
-        As in `axes_rotation`.
 
     Examples
     --------
@@ -145,7 +100,7 @@ def convert_matrix(matrix: ArrayLike, from_axes: str, to_axes: str) -> FloatArra
            [0.   , 0.   , 0.   ],
            [0.001, 0.   , 0.   ]])
     """
-    rotation = axes_rotation(from_axes, to_axes)
+    rotation = _axes_rotation(from_axes, to_axes)
     return rotation @ finite_array(matrix, "matrix", 3, 3) @ rotation.T + 0.0
 
 
@@ -169,22 +124,12 @@ def convert_attitude(
     Returns
     -------
     ndarray, shape (..., 4)
-        Unit quaternions, body to reference in the new axes.
-
-    Raises
-    ------
-    ValueError
-        As in `axes_rotation`, with `reference` or `body` in the sentence.
+        Unit quaternions, body to reference in the new axes. The quaternion q and its negative are
+        one attitude; which of them comes out is not promised.
 
     See Also
     --------
-    convert_vectors : Rates, forces and increments in other axes.
     driftlab.conventions.scalar_first : Quaternions in the other order.
-
-    Notes
-    -----
-    With q the attitude, t_r and t_b the rotations of the components, it is t_r∘q∘conj(t_b). The
-    quaternion q and its negative are one attitude; which of them comes out is not promised.
 
     Examples
     --------
@@ -206,7 +151,7 @@ def convert_attitude(
 
 
 def _quaternion(pair: tuple[str, str], name: str) -> FloatArray:
-    """Quaternion of `axes_rotation` for a pair of names."""
+    """Quaternion of `_axes_rotation` for a pair of names."""
     try:
         old, new = pair
     except (TypeError, ValueError):
@@ -218,7 +163,7 @@ def _quaternion(pair: tuple[str, str], name: str) -> FloatArray:
         kind, _ = _directions(axes, name)
         if kind != wanted:
             raise ValueError(f"{name}: expected {_EXAMPLES[wanted]}, got {shown(axes)}.")
-    return Rotation.from_matrix(axes_rotation(old, new)).as_quat()
+    return Rotation.from_matrix(_axes_rotation(old, new)).as_quat()
 
 
 def checked_axes(axes: str, name: str, kind: str | None = None) -> str:

@@ -58,20 +58,15 @@ def convert_attitude_error(
 
     Examples
     --------
-    Groves's error has the opposite sign:
-
-    >>> convert_attitude_error([1e-3, 0, 0], "groves", "phi")
-    array([-0.001,  0.   ,  0.   ])
-
-    Larin's has the opposite sign and is in body axes. In a body that is turned by a quarter about
-    Up, an error about its first axis is one about North:
+    Larin's error has the opposite sign and is in body axes. In a body that is turned by a quarter
+    about Up, an error about its first axis is one about North:
 
     >>> quarter = [0, 0, np.sqrt(0.5), np.sqrt(0.5)]
     >>> convert_attitude_error([1e-3, 0, 0], "larin", "phi", quarter).round(9) + 0.0
     array([ 0.   , -0.001,  0.   ])
     """
-    sign, axes = _definition(source, "source")
-    other_sign, other_axes = _definition(target, "target")
+    sign, axes = ATTITUDE_ERRORS[one_of(source, ATTITUDE_ERRORS, "source")]
+    other_sign, other_axes = ATTITUDE_ERRORS[one_of(target, ATTITUDE_ERRORS, "target")]
     if axes == other_axes:
         return sign * other_sign * finite_array(error, "error", 3) + 0.0
     if true_attitude is None:
@@ -87,7 +82,7 @@ def convert_attitude_error(
 def position_angle(
     latitude: ArrayLike, latitude_error: ArrayLike, longitude_error: ArrayLike
 ) -> FloatArray:
-    """Small rotation δθ from the true local axes to those at the computed place.
+    """Small rotation δθ from the true local axes to those at the computed position.
 
     Parameters
     ----------
@@ -103,14 +98,14 @@ def position_angle(
 
     Notes
     -----
-    The psi-angle model counts the attitude error from the local axes at the *computed* place, the
-    phi-angle model from those at the true one. So ψ = φ - δθ, with φ the error ``phi`` of
+    The psi-angle model counts the attitude error from the local axes at the *computed* position,
+    the phi-angle model from those at the true one. So ψ = φ - δθ, with φ the error ``phi`` of
     `ATTITUDE_ERRORS`. Papers with the other sign of ψ exist; look at the sign of their gyro error.
 
     Examples
     --------
-    A unit that is a mile too far North in its reckoning, and level all the same where it is, is
-    level for φ; for ψ it is tilted about East by a minute of arc:
+    A level unit whose computed position is a mile too far North has φ = 0, and a ψ of a minute of
+    arc about East:
 
     >>> minute = np.radians(1 / 60)
     >>> psi = np.zeros(3) - position_angle(0.8, minute, 0.0)
@@ -152,12 +147,11 @@ def mirror_heading(heading: ArrayLike) -> FloatArray:
 
 
 def scalar_first(quaternion: ArrayLike) -> FloatArray:
-    """Quaternion with the scalar part first, for those who write it so.
+    """Quaternion with the scalar part first, from one with the scalar part last.
 
     Parameters
     ----------
     quaternion : array_like or Rotation, shape (..., 4)
-        Scalar last, as everywhere in this package.
 
     Returns
     -------
@@ -172,21 +166,16 @@ def scalar_first(quaternion: ArrayLike) -> FloatArray:
 
 
 def scalar_last(quaternion: ArrayLike) -> FloatArray:
-    """Quaternion as this package wants it, from one with the scalar part first.
+    """Quaternion with the scalar part last, from one with the scalar part first.
 
     Parameters
     ----------
     quaternion : array_like, shape (..., 4)
-        Scalar first.
+        Not a `Rotation`, whose own order is fixed.
 
     Returns
     -------
     ndarray, shape (..., 4)
-
-    Raises
-    ------
-    ValueError
-        If `quaternion` is a `Rotation`, which has no first component.
 
     Examples
     --------
@@ -196,9 +185,3 @@ def scalar_last(quaternion: ArrayLike) -> FloatArray:
     if hasattr(quaternion, "as_quat"):
         raise ValueError("quaternion: expected numbers, scalar first, got a Rotation.")
     return np.roll(finite_array(quaternion, "quaternion", 4), -1, axis=-1)
-
-
-def _definition(name: str, argument: str) -> tuple[int, str]:
-    """Sign and axes of a definition."""
-    one_of(name, ATTITUDE_ERRORS, argument)
-    return ATTITUDE_ERRORS[name]

@@ -1,7 +1,6 @@
 """The Earth under a navigator: WGS 84 ellipsoid, normal gravity, rotation.
 
-Local axes are East, North, Up. Earth-centred axes have the third axis along the Earth's own and
-are called *inertial* when they do not turn with it. Constants: NIMA TR8350.2, third edition.
+Local axes are East, North, Up. Constants: NIMA TR8350.2, third edition.
 """
 
 from __future__ import annotations
@@ -12,32 +11,11 @@ from numpy.typing import ArrayLike
 from .checks import FloatArray, finite_array, finite_arrays, pull_of_gravity, within
 from .core import earth as core
 from .core.earth import (
-    EARTH_RATE,
-    ECCENTRICITY_SQUARED,
-    EQUATOR_GRAVITY,
+    EARTH_RATE as EARTH_RATE,
+    EQUATOR_GRAVITY as EQUATOR_GRAVITY,
     FLATTENING,
-    POLE_GRAVITY,
     SEMI_MAJOR_AXIS,
 )
-
-__all__ = [
-    "EARTH_RADIUS",
-    "EARTH_RATE",
-    "ECCENTRICITY_SQUARED",
-    "EQUATOR_GRAVITY",
-    "FLATTENING",
-    "POLE_GRAVITY",
-    "SEMI_MAJOR_AXIS",
-    "checked_gravity",
-    "checked_latitude",
-    "curvature_radii",
-    "earth_rate",
-    "geodetic",
-    "gravitation",
-    "gravity",
-    "gravity_north",
-    "position_vector",
-]
 
 EARTH_RADIUS = SEMI_MAJOR_AXIS * (1 - FLATTENING / 3)
 """Mean radius R of the ellipsoid, m. The Earth of Plotnikov's paper is a sphere."""
@@ -137,104 +115,6 @@ def gravity(latitude: ArrayLike, altitude: ArrayLike = 0.0) -> FloatArray:
     --------
     >>> gravity(np.radians([0.0, 45.0, 90.0])).round(4)
     array([9.7803, 9.8062, 9.8322])
-    >>> print(f"{gravity(np.radians(45.0), 10e3):.4f}")
-    9.7754
     """
     latitude, altitude = finite_arrays(latitude=(latitude,), altitude=(altitude,))
     return core.gravity(np.sin(_any_latitude(latitude)) ** 2, altitude)
-
-
-def gravity_north(latitude: ArrayLike, altitude: ArrayLike) -> FloatArray:
-    """North component of normal gravity: above the ellipsoid the plumb line bends to the equator.
-
-    Parameters
-    ----------
-    latitude : array_like, shape (...)
-        rad.
-    altitude : array_like, shape (...)
-        Above the ellipsoid, m; from -5 km to 20 km.
-
-    Returns
-    -------
-    ndarray, shape (...)
-        m/s^2, within 0.3 micro-g; negative in the North.
-
-    Examples
-    --------
-    >>> micro_g = 9.80665e-6
-    >>> (gravity_north(np.radians([-45.0, 0.0, 45.0]), 10e3) / micro_g).round(1) + 0.0
-    array([ 8.3,  0. , -8.3])
-    """
-    latitude, altitude = finite_arrays(latitude=(latitude,), altitude=(altitude,))
-    return core.gravity_north(_any_latitude(latitude), altitude)
-
-
-def position_vector(latitude: ArrayLike, altitude: ArrayLike) -> FloatArray:
-    """Vector from the Earth's centre to a point of the meridian of longitude zero.
-
-    Parameters
-    ----------
-    latitude : array_like, shape (...)
-        rad.
-    altitude : array_like, shape (...)
-        m.
-
-    Returns
-    -------
-    ndarray, shape (..., 3)
-        m, Earth-centred axes.
-
-    Examples
-    --------
-    >>> position_vector(np.pi / 2, 0.0).round(0)  # the North pole
-    array([      0.,       0., 6356752.])
-    """
-    latitude, altitude = finite_arrays(latitude=(latitude,), altitude=(altitude,))
-    return core.position_vector(_any_latitude(latitude), altitude)
-
-
-def geodetic(position: ArrayLike) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Latitude, longitude and altitude of Earth-centred positions.
-
-    Bowring's formula: within 1e-11 rad up to 20 km from the ellipsoid.
-
-    Parameters
-    ----------
-    position : array_like, shape (..., 3)
-        m, at least 6.2e6 from the Earth's centre.
-
-    Returns
-    -------
-    latitude, longitude, altitude : ndarray, shape (...)
-        rad, rad and m.
-
-    Examples
-    --------
-    >>> [float(x) for x in geodetic([6378237.0, 0.0, 0.0])]
-    [0.0, 0.0, 100.0]
-    """
-    return core.geodetic(finite_array(position, "position", 3))
-
-
-def gravitation(position: ArrayLike) -> FloatArray:
-    """Gravitation at Earth-centred positions.
-
-    It is normal gravity, `gravity` and `gravity_north`, without the centrifugal part, and does not
-    depend on the longitude, so inertial axes will do as well as axes that turn with the Earth.
-
-    Parameters
-    ----------
-    position : array_like, shape (..., 3)
-        m, at least 6.2e6 from the Earth's centre.
-
-    Returns
-    -------
-    ndarray, shape (..., 3)
-        m/s^2, in the axes of the positions.
-
-    Examples
-    --------
-    >>> [round(float(x), 4) + 0 for x in gravitation([6378137.0, 0.0, 0.0])]
-    [-9.8142, 0.0, 0.0]
-    """
-    return core.gravitation(finite_array(position, "position", 3))

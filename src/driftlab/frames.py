@@ -26,7 +26,7 @@ _MOST_PITCH = np.radians(89.9)
 
 
 class EulerAngles(NamedTuple):
-    """Heading, pitch and roll of a body; the result of `to_euler_angles`.
+    """Heading, pitch and roll of a body.
 
     Attributes
     ----------
@@ -36,12 +36,6 @@ class EulerAngles(NamedTuple):
         Angle of the forward axis above the horizon, rad, -pi/2 to pi/2.
     roll : ndarray, shape (...)
         Angle about the forward axis, rad, -pi to pi.
-
-    Examples
-    --------
-    >>> angles = to_euler_angles(from_euler_angles(0.3, 0.2, 0.1))
-    >>> print(f"{angles.heading:.3f} {angles.pitch:.3f} {angles.roll:.3f}")
-    0.300 0.200 0.100
     """
 
     heading: FloatArray
@@ -59,14 +53,14 @@ def navigation_frame_rate(
     latitude : array_like, shape (...)
         rad, not a pole.
     velocity : array_like, shape (..., 2)
-        Velocity to the North and to the East, m/s.
+        To the North and to the East, m/s.
     radius : float
-        Radius of the Earth, m.
+        Of the Earth, m.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Rate of the Earth and rate along the way together, rad/s.
+        Earth rate and transport rate together, rad/s.
 
     Examples
     --------
@@ -142,12 +136,8 @@ def to_euler_angles(attitude: ArrayLike) -> EulerAngles:
     Returns
     -------
     EulerAngles
-        heading, pitch and roll, each of shape (...), rad.
-
-    Notes
-    -----
-    In a vertical body heading and roll turn about the same line. Each alone is then arbitrary, and
-    the three together are still the attitude.
+        rad. In a vertical body heading and roll turn about the same line: each alone is then
+        arbitrary, and the three together are still the attitude.
 
     Examples
     --------
@@ -157,63 +147,26 @@ def to_euler_angles(attitude: ArrayLike) -> EulerAngles:
     """
     turned = unit_quaternions(attitude, "attitude")
     up = rotate(conjugate(turned), np.array([0.0, 1.0, 0.0]))
-    pitch, roll = pitch_and_roll(up)
+    pitch, roll = _pitch_and_roll(up)
     # With the roll taken out, the right axis is level and turned by the heading alone.
     level = np.stack([np.zeros_like(roll), np.sin(roll), np.cos(roll)], axis=-1)
     right = rotate(turned, level)
     return EulerAngles(np.arctan2(right[..., 0], right[..., 2]), pitch, roll)
 
 
-def pitch_and_roll(up: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Pitch and roll of a body from the direction Up in its axes.
-
-    Parameters
-    ----------
-    up : ndarray, shape (..., 3)
-        Direction Up in body axes (forward, up, right), of any length.
-
-    Returns
-    -------
-    pitch, roll : ndarray, shape (...)
-        rad.
-
-    Examples
-    --------
-    The specific force at rest points Up; here the bow is raised by 0.1 rad:
-
-    >>> pitch, roll = pitch_and_roll(9.8 * np.array([np.sin(0.1), np.cos(0.1), 0.0]))
-    >>> print(f"{pitch:.3f}")
-    0.100
-    """
+def _pitch_and_roll(up: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Pitch and roll (...), rad, from the direction Up (..., 3) in body axes, of any length."""
     # Not arcsin, which loses half of the digits near the vertical.
     pitch = np.arctan2(up[..., 0], np.hypot(up[..., 1], up[..., 2]))
     return pitch, np.arctan2(-up[..., 2], up[..., 1])
 
 
-def refuse_vertical(pitch: FloatArray) -> None:
-    """Refuse a pitch within 0.1 degrees of the vertical, where heading is not defined.
-
-    Parameters
-    ----------
-    pitch : ndarray, shape (...)
-        rad.
-
-    Raises
-    ------
-    ValueError
-        If a pitch is larger than 89.9 degrees in absolute value.
-
-    Examples
-    --------
-    >>> refuse_vertical(np.array([0.0, np.pi / 2]))
-    Traceback (most recent call last):
-        ...
-    ValueError: pitch: expected at most 89.9 degrees, because heading and roll are one turn in a
-    vertical body, got 90 degrees.
-    """
+def checked_pitch(pitch: FloatArray) -> FloatArray:
+    """Return pitch angles, rad, refusing the vertical, where heading is not defined."""
     worst = float(np.abs(pitch).max())
     if worst > _MOST_PITCH:
         raise ValueError(
             "pitch: expected at most 89.9 degrees, because heading and roll are one turn in a "
             f"vertical body, got {np.degrees(worst):.6g} degrees."
         )
+    return pitch

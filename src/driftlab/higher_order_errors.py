@@ -4,14 +4,13 @@
 table meets next; each is linear in its own constants.
 
 - Size effect: accelerometer i sits at the inner lever arm r_i from the point that the table turns
-  about, and feels
-  ``(w' × r_i + w × (w × r_i))_i`` besides.
+  about, and also feels ``(w' × r_i + w × (w × r_i))_i``.
 - Time skew: the accelerometers' readings are late by tau against the gyros', and the body has
   turned meanwhile: ``tau w × f``. The specific force is taken to be fixed to the local axes.
 - Quadratic: ``K2 f^2``, each accelerometer by itself.
 - g-sensitivity: a gyro feels ``G f``.
 - Scale-factor asymmetry (IEEE Std 528): the scale factors for positive and negative input differ
-  by 2 a, so a sensor feels ``a |w|`` or ``a |f|`` besides. The integral of ``|w|`` over an interval
+  by 2 a, so a sensor also feels ``a |w|`` or ``a |f|``. The integral of ``|w|`` over an interval
   is the size of the angle, unless w changes its sign there: then the effect comes out too small, by
   2 a times the angle turned in the rarer direction. Vibration within an interval does not count.
   The components are those in body axes; along a sensor's own axis the effect differs by a times
@@ -27,7 +26,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .checks import FloatArray, checked_instance, finite_arrays, some_of
-from .core.lever_arms import lever_matrices
+from .core.vectors import cross_matrix
 
 _NONE = np.zeros(3)
 _NONE.setflags(write=False)
@@ -56,11 +55,10 @@ class HigherOrderErrors(NamedTuple):
 
     Notes
     -----
-    Of the nine components of the arms, a shift common to all three accelerometers is the place of
-    the unit on the table. Where the table's centre stands still it counts, and shows in the
-    velocity while the table turns; at rest it shows no more. In flight there is no such
-    point, and only the differences of the arms matter: a common shift chooses another point of the
-    vehicle to navigate. PSINS sets the arm of accelerometer z to zero and has six numbers left.
+    A shift common to all three arms is the position of the unit on the table, and shows in the
+    velocity while the table turns. In flight only the differences of the arms matter: a common
+    shift chooses another point of the vehicle to navigate. PSINS sets the arm of accelerometer z to
+    zero and has six numbers left.
 
     Examples
     --------
@@ -109,6 +107,15 @@ class _Term(NamedTuple):
         return rows if len(self.shape) == 2 else rows[..., np.newaxis]
 
 
+def _lever_matrices(times: FloatArray, angle: FloatArray, change: FloatArray) -> FloatArray:
+    """Matrices (..., n, 3, 3) that give the velocity gained at an arm r: ``[w' ×] + [w ×][w ×]``.
+
+    The rate within an interval counts as constant in the second part: an error of second order.
+    """
+    turned = cross_matrix(angle)
+    return cross_matrix(change) + turned @ turned / times[..., np.newaxis]
+
+
 TERMS = MappingProxyType({
     "lever arms": _Term(
         field="lever_arms",
@@ -116,7 +123,7 @@ TERMS = MappingProxyType({
         unit="m",
         states="accelerometer lever arm",
         prior="lever_arm",
-        effect=lambda times, angle, velocity, change: lever_matrices(times[..., 0], angle, change),
+        effect=lambda times, angle, velocity, change: _lever_matrices(times, angle, change),
     ),
     "time skew": _Term(
         field="time_skew",
@@ -196,32 +203,12 @@ def _lead(errors: Iterable[FloatArray]) -> tuple[int, ...]:
     return np.broadcast_shapes(*shapes)
 
 
-def rate_changes(interval: float, angle: FloatArray) -> FloatArray:
-    """Change of the angular rate over each interval, from angle increments alone.
+def _rate_changes(interval: float, angle: FloatArray) -> FloatArray:
+    """Changes (..., n, 3) of the angular rate over intervals, rad/s, from angle increments alone.
 
-    Parameters
-    ----------
-    interval : float
-        s.
-    angle : ndarray, shape (..., n, 3)
-        Angle increments, rad.
-
-    Returns
-    -------
-    ndarray, shape (..., n, 3)
-        rad/s.
-
-    Notes
-    -----
-    The rate between two intervals is taken as the mean of their mean rates. In smooth motion the
-    error is of second order in the interval. A table that jumps from rest to its rate divides the
-    jump between the intervals on either side; none of it is lost, and the changes of a record add
-    up to the difference of its last and its first mean rate.
-
-    Examples
-    --------
-    >>> rate_changes(0.5, np.array([[0, 0, 0], [0, 0, 0], [0, 0, 0.1], [0, 0, 0.1]]))[:, 2]
-    array([0. , 0.1, 0.1, 0. ])
+    The rate between two intervals is taken as the mean of their mean rates: in smooth motion an
+    error of second order. A table that jumps from rest to its rate divides the jump between the
+    intervals on either side, and none of it is lost.
     """
     mean_rate = angle / interval
     between = 0.5 * (mean_rate[..., 1:, :] + mean_rate[..., :-1, :])
@@ -236,7 +223,7 @@ def felt_besides(
     higher_order: HigherOrderErrors,
     rate_change: FloatArray | None = None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Increments that the sensors report besides the true ones.
+    """Increments that the sensors report in addition to the true ones.
 
     Parameters
     ----------
@@ -247,8 +234,7 @@ def felt_besides(
     higher_order : HigherOrderErrors
         Their leading axes broadcast against those of the increments.
     rate_change : ndarray, shape (..., n, 3), optional
-        `rate_changes` of the record that the increments are part of; of these increments alone if
-        not given.
+        Change of the angular rate over each interval, rad/s; found from `angle` if not given.
 
     Returns
     -------
@@ -265,7 +251,7 @@ def felt_besides(
     array([[ 0.   , -0.001,  0.   ]])
     """
     if rate_change is None:
-        rate_change = rate_changes(interval, angle)
+        rate_change = _rate_changes(interval, angle)
     times = np.full(angle.shape[-2:-1], interval)
     lead = _lead(getattr(higher_order, term.field) for term in TERMS.values())
     shape = np.broadcast_shapes((*lead, 1, 1), angle.shape, velocity.shape)

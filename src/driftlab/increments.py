@@ -23,7 +23,7 @@ from .higher_order_errors import (
     checked_higher_order_errors,
     felt_besides,
 )
-from .imu import ImuErrors, ImuNoise, real_imu_errors
+from .imu import ImuErrors, ImuNoise, checked_usual_imu_errors
 
 
 class Increments(NamedTuple):
@@ -42,16 +42,14 @@ class Increments(NamedTuple):
     --------
     driftlab.recordings.Recording.increments : From a log.
     driftlab.sampled_rates.increments_from_rates : From sampled rates.
-    measure : With the errors of a unit.
-    compensate : Without them.
 
     Examples
     --------
     Two seconds of a body that lies still on a planet that does not turn:
 
     >>> increments = Increments(1.0, np.zeros((2, 3)), np.tile([0.0, 0.0, 9.8], (2, 1)))
-    >>> float(increments.velocity[:, 2].sum())
-    19.6
+    >>> increments.part(0, 1).velocity
+    array([[0. , 0. , 9.8]])
     """
 
     interval: float
@@ -60,44 +58,12 @@ class Increments(NamedTuple):
 
     @property
     def mean_rate(self) -> FloatArray:
-        """Mean angular rate over each interval.
-
-        Returns
-        -------
-        ndarray, shape (..., n, 3)
-            Body axes, rad/s.
-
-        Raises
-        ------
-        ValueError
-            As for `checked_increments`.
-
-        Examples
-        --------
-        >>> Increments(0.5, np.array([[0.0, 0.0, 0.1]]), np.zeros((1, 3))).mean_rate
-        array([[0. , 0. , 0.2]])
-        """
+        """Mean angular rate (..., n, 3) over each interval, body axes, rad/s."""
         interval, angle, _ = checked_increments(self)
         return angle / interval
 
     def part(self, begin: int, end: int) -> Increments:
-        """Return the increments of some of the intervals.
-
-        Parameters
-        ----------
-        begin, end : int
-            The first interval, and the first that is left out, as in a slice.
-
-        Returns
-        -------
-        Increments
-            Views of `end` - `begin` intervals.
-
-        Examples
-        --------
-        >>> Increments(1.0, np.zeros((5, 3)), np.zeros((5, 3))).part(2, 4).angle.shape
-        (2, 3)
-        """
+        """Return the increments of intervals `begin` to `end`, as in a slice, as views."""
         rows = np.s_[..., row_number(begin, "begin") : row_number(end, "end"), :]
         return Increments(self.interval, self.angle[rows], self.velocity[rows])
 
@@ -147,7 +113,7 @@ def measure(
     rng : numpy.random.Generator or int, optional
         Source of the noise; needed for noise only.
     higher_order : HigherOrderErrors, optional
-        Lever arms and what else bias and matrix do not describe; none if not given.
+        Lever arms and other errors that bias and matrix do not describe.
 
     Returns
     -------
@@ -156,24 +122,20 @@ def measure(
 
     See Also
     --------
-    compensate : Its inverse.
-    driftlab.imu.random_imu_errors : Units for Monte Carlo runs.
     driftlab.motion.table_trajectory : True increments on a table.
 
     Examples
     --------
-    Two seconds at rest, with a gyro bias as the only error:
+    A second at rest, with a gyro bias as the only error:
 
     >>> from driftlab.imu import NO_ERRORS
-    >>> from driftlab.motion.turntable import static_trajectory
-    >>> true = static_trajectory([0, 0, 0, 1], latitude=0.7, interval=1.0, count=2).increments
+    >>> true = Increments(1.0, np.zeros((1, 3)), np.array([[0.0, 0.0, 9.8]]))
     >>> biased = NO_ERRORS._replace(gyro_bias=np.array([0.0, 0.0, 1e-3]))
-    >>> (measure(true, biased).angle - true.angle).round(9)
-    array([[0.   , 0.   , 0.001],
-           [0.   , 0.   , 0.001]])
+    >>> measure(true, biased).angle
+    array([[0.   , 0.   , 0.001]])
     """
     seconds, angle, velocity = checked_increments(increments)
-    errors = real_imu_errors(imu_errors)
+    errors = checked_usual_imu_errors(imu_errors)
     if noise is not None:
         checked_instance(noise, ImuNoise, "noise")
     source = None if rng is None else checked_generator(rng)
@@ -209,12 +171,12 @@ def compensate(
     imu_errors : ImuErrors
         Errors of the unit; their leading axes broadcast against those of the increments.
     higher_order : HigherOrderErrors, optional
-        What bias and matrix do not describe; none if not given. It is taken out to the third order.
+        Errors that bias and matrix do not describe; they are taken out to the third order.
 
     Returns
     -------
     Increments
-        True but for the noise.
+        True except for the noise.
 
     Raises
     ------
@@ -223,60 +185,31 @@ def compensate(
 
     See Also
     --------
-    measure : Its inverse.
-    driftlab.calibration.calibrate : Finds the errors.
     driftlab.calibration.from_json : Reads errors that were kept.
 
     Examples
     --------
     >>> from driftlab.imu import TYPICAL_ERRORS
-    >>> from driftlab.motion.turntable import static_trajectory
-    >>> true = static_trajectory([0, 0, 0, 1], latitude=0.7, interval=1.0, count=2).increments
-    >>> found = compensate(measure(true, TYPICAL_ERRORS), TYPICAL_ERRORS)
-    >>> np.allclose(found.velocity, true.velocity, rtol=0, atol=1e-12)
-    True
+    >>> true = Increments(1.0, np.zeros((1, 3)), np.array([[0.0, 0.0, 9.8]]))
+    >>> compensate(measure(true, TYPICAL_ERRORS), TYPICAL_ERRORS).velocity.round(12) + 0.0
+    array([[0. , 0. , 9.8]])
     """
-    errors = real_imu_errors(imu_errors)
+    errors = checked_usual_imu_errors(imu_errors)
     for name in ("gyro_error", "accelerometer_error"):
         if (np.linalg.cond(np.eye(3) + getattr(errors, name)) > 1e12).any():
             raise ValueError(f"{name}: expected a triad I + K that spans space, got a flat one.")
     if higher_order is not None:
         higher_order = checked_higher_order_errors(higher_order)
-    return without_errors(checked_increments(increments), errors, higher_order)
+    return _without_errors(checked_increments(increments), errors, higher_order)
 
 
-def without_errors(
+def _without_errors(
     increments: Increments,
     imu_errors: ImuErrors,
     higher_order: HigherOrderErrors | None = None,
     rate_change: FloatArray | None = None,
 ) -> Increments:
-    """Take known errors out of increments like `compensate`, without checking the arguments.
-
-    Parameters
-    ----------
-    increments : Increments
-        Measured, arrays of shape (..., n, 3).
-    imu_errors : ImuErrors
-        Errors of the unit; their leading axes broadcast against those of the increments.
-    higher_order : HigherOrderErrors, optional
-        What bias and matrix do not describe.
-    rate_change : ndarray, shape (..., n, 3), optional
-        `driftlab.higher_order_errors.rate_changes` of the record that the increments are part of;
-        of these increments alone if not given.
-
-    Returns
-    -------
-    Increments
-        Arrays of shape (..., n, 3).
-
-    Examples
-    --------
-    >>> from driftlab.imu import NO_ERRORS
-    >>> biased = NO_ERRORS._replace(gyro_bias=np.array([0.0, 0.0, 1e-3]))
-    >>> without_errors(Increments(10.0, np.ones((1, 3)), np.ones((1, 3))), biased).angle
-    array([[1.  , 1.  , 0.99]])
-    """
+    """Take known errors out of increments like `compensate`; `rate_change` as of `felt_besides`."""
     seconds, angle, velocity = increments
     angle = _without(angle, seconds * imu_errors.gyro_bias, imu_errors.gyro_error)
     velocity = _without(

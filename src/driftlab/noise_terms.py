@@ -1,34 +1,41 @@
-"""Five terms of the noise of a sensor at rest, as straight lines on an Allan plot, and as records.
+"""Five noise terms of a sensor at rest: lines on an Allan plot, records of them, and their fit.
 
-They are those of IEEE Std 952, and of every data sheet; `noise_identification` finds them in a
-record.
+They are those of IEEE Std 952, and of every data sheet. The fit identifies them in a record, and
+says what the record cannot tell.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import astuple, dataclass, fields
 
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.special import zeta
 
+from .allan import AllanDeviation
 from .checks import (
     FloatArray,
     checked_generator,
+    checked_instance,
     keep,
     nonnegative_number,
     positive_array,
     positive_number,
+    some_of,
     whole_number,
 )
-from .core.allan import term_variances
+from .core import allan as core
+
+_BOUND = 0.95
+"""Probability that stands behind an upper bound."""
 
 
 @dataclass(frozen=True)
 class NoiseTerms:
     """Five terms of the noise of a rate, with the coefficients of IEEE Std 952.
 
-    Of an accelerometer the same, with m/s in place of rad.
+    Of an accelerometer the same, with m/s instead of rad.
 
     Attributes
     ----------
@@ -55,6 +62,10 @@ class NoiseTerms:
     >>> noise = NoiseTerms(angle_random_walk=1e-5, rate_random_walk=np.sqrt(3) * 1e-7)
     >>> noise.deviation([10.0, 100.0, 1000.0])
     array([3.17804972e-06, 1.41421356e-06, 3.17804972e-06])
+    >>> noise.lines(4.0)["angle_random_walk"]
+    np.float64(5e-06)
+    >>> noise.samples(4, 0.5, rng=1).shape
+    (4,)
     """
 
     quantisation: float = 0.0
@@ -68,77 +79,23 @@ class NoiseTerms:
             keep(self, **{name: nonnegative_number(getattr(self, name), name)})
 
     def lines(self, averaging_times: ArrayLike) -> dict[str, FloatArray]:
-        """Allan deviation of each term alone.
-
-        Parameters
-        ----------
-        averaging_times : array_like, shape (...)
-            s.
-
-        Returns
-        -------
-        dict of str to ndarray, shape (...)
-            rad/s, by the name of the term.
-
-        Examples
-        --------
-        >>> NoiseTerms(angle_random_walk=2e-5).lines(4.0)["angle_random_walk"]
-        np.float64(1e-05)
-        """
+        """Allan deviation (...) of each term alone, rad/s, over averaging times (...), s."""
         times = positive_array(averaging_times, "averaging_times")
-        rows = np.moveaxis(np.sqrt(term_variances(times)) * astuple(self), -1, 0)
+        rows = np.moveaxis(np.sqrt(core.term_variances(times)) * astuple(self), -1, 0)
         return dict(zip(TERMS, rows, strict=True))
 
     def deviation(self, averaging_times: ArrayLike) -> FloatArray:
-        """Allan deviation of all terms together.
-
-        Parameters
-        ----------
-        averaging_times : array_like, shape (...)
-            s.
-
-        Returns
-        -------
-        ndarray, shape (...)
-            rad/s: the root of the sum of squares of `lines`.
-
-        Examples
-        --------
-        >>> print(NoiseTerms(quantisation=1.0, rate_ramp=0.0).deviation(3.0).round(3))
-        0.577
-        """
-        variances = term_variances(positive_array(averaging_times, "averaging_times")) @ np.square(
-            astuple(self)
-        )
-        return np.sqrt(variances)
+        """Allan deviation (...) of all terms together, rad/s, over averaging times (...), s."""
+        times = positive_array(averaging_times, "averaging_times")
+        return np.sqrt(core.term_variances(times) @ np.square(astuple(self)))
 
     def samples(
         self, count: int, interval: float, rng: np.random.Generator | int, *shape: int
     ) -> FloatArray:
-        """Draw a record of this noise.
+        """Draw a record (*shape, count) of this noise: means of the rate over an interval, rad/s.
 
-        Parameters
-        ----------
-        count : int
-            Number of samples: means of the rate over an interval.
-        interval : float
-            Between samples, s.
-        rng : numpy.random.Generator or int
-            Source of the noise.
-        *shape : int
-            Leading axes of the result: independent sensors.
-
-        Returns
-        -------
-        ndarray, shape (..., count)
-            rad/s. The random walk begins at zero. The flicker noise is the first half of a record
-            with a period of twice the length.
-
-        Examples
-        --------
-        >>> rates = NoiseTerms(rate_ramp=2.0).samples(4, 0.5, np.random.default_rng(1))
-        >>> rates
-        array([0.5, 1.5, 2.5, 3.5])
+        The random walk begins at zero. The flicker noise is the first half of a record with a
+        period of twice the length.
         """
         length, step = whole_number(count, "count"), positive_number(interval, "interval")
         size = tuple(whole_number(n, "shape") for n in shape)
@@ -166,3 +123,115 @@ class NoiseTerms:
 
 TERMS = tuple(field.name for field in fields(NoiseTerms))
 """Names of the terms, from short averaging times to long ones."""
+
+
+@dataclass(frozen=True)
+class NoiseFit:
+    """Noise terms that fit an Allan deviation.
+
+    Attributes
+    ----------
+    terms : NoiseTerms
+        What the record shows; zero for a term that it does not show.
+    deviations : dict of str to float
+        Standard deviations of the terms that it shows.
+    upper_bounds : dict of str to float
+        For each term that was sought and is not seen: with 95 % probability it is smaller.
+        Infinite if the record is too short to say anything.
+    covariance : ndarray, shape (5, 5)
+        Of the squared coefficients, in the order of `TERMS`; zero for terms that are not seen.
+    misfit : float
+        Root mean square of the points' distances from the fit, in standard deviations of each: 1
+        or less for noise of these kinds. If it is much more, none of the other numbers holds.
+    """
+
+    terms: NoiseTerms
+    deviations: dict[str, float]
+    upper_bounds: dict[str, float]
+    covariance: FloatArray
+    misfit: float
+
+
+def fit_noise_terms(allan: AllanDeviation, terms: Iterable[str] = TERMS) -> NoiseFit:
+    """Find the noise terms behind an Allan deviation, and what it cannot tell.
+
+    Parameters
+    ----------
+    allan : AllanDeviation
+        Of one sensor, with at least as many averaging times as terms.
+    terms : iterable of str
+        Those that are sought, from `TERMS`; the others are taken to be zero.
+
+    Returns
+    -------
+    NoiseFit
+        With a standard deviation for each term that is seen, and an upper bound for each other.
+
+    Raises
+    ------
+    ValueError
+        If there are several sensors, too few averaging times, or unknown terms.
+
+    Notes
+    -----
+    Least squares without negative terms, each point with the weight of its own degrees of freedom.
+    But the points of an Allan plot share their samples, and thirty of them are worth far fewer
+    independent ones: the deviations of the terms come from the covariance of all points under the
+    fitted noise. A term is seen if its square is above twice its standard deviation; the
+    weakest is dropped first, and the rest fitted again. An upper bound counts the other unseen
+    terms as zero. An absent term is seen by mistake in a few records of a hundred; a weak one only
+    where chance has made it larger, by two of its deviations if it is seldom seen. Noise of another
+    kind, from an engine or the temperature of a day, is put on the nearest line all the same: look
+    at the plot.
+
+    References
+    ----------
+    - N. El-Sheimy, H. Hou, X. Niu, *Analysis and modeling of inertial sensors using Allan
+      variance*, IEEE Transactions on Instrumentation and Measurement 57(1), 2008.
+
+    Examples
+    --------
+    >>> from driftlab.allan import allan_deviation
+    >>> noise = NoiseTerms(quantisation=1e-6, angle_random_walk=1e-6)
+    >>> rates = noise.samples(20_000, 0.1, np.random.default_rng(1))
+    >>> found = fit_noise_terms(allan_deviation(rates, 0.1))
+    >>> print(f"{found.terms.angle_random_walk:.2e}", f"{found.terms.quantisation:.2e}")
+    9.79e-07 9.99e-07
+    >>> list(found.upper_bounds)
+    ['bias_instability', 'rate_random_walk', 'rate_ramp']
+    """
+    found = checked_instance(
+        allan, AllanDeviation, "allan", "from allan_deviation(rates, interval)"
+    )
+    sought = list(dict.fromkeys(some_of(terms, TERMS, "terms")))
+    if found.deviation.ndim != 1:
+        raise ValueError(
+            "allan: expected that of one sensor, deviation of shape (k,), "
+            f"got shape {found.deviation.shape}; take allan.row(0), say."
+        )
+    # One time that comes twice says no more than once.
+    _, places = np.unique(found.averaging_times, return_index=True)
+    places = places[found.deviation[places] > 0]
+    if not sought or len(places) < len(sought):
+        raise ValueError(
+            "allan: expected at least as many averaging times with a deviation above zero as "
+            f"terms, {max(len(sought), 1)} different ones, got {len(places)}."
+        )
+    times, freedom = found.averaging_times[places], found.degrees_of_freedom[places]
+    counts = np.round(times / found.interval).astype(int)
+    variance = found.deviation[places] ** 2
+    points = core.Points(variance, freedom, counts, found.count, found.interval)
+    kept, squares, covariance = core.fit_seen(points, sorted(map(TERMS.index, sought)))
+    roots, spread = np.sqrt(squares), np.sqrt(np.diagonal(covariance))
+    expected = core.term_variances(times) @ squares
+    unseen = [name for name in sought if TERMS.index(name) not in kept]
+    return NoiseFit(
+        NoiseTerms(*map(float, roots)),
+        {TERMS[i]: float(spread[i] / (2 * roots[i])) for i in kept},
+        {
+            name: float(np.sqrt(core.upper_bound(points, squares, TERMS.index(name), _BOUND)))
+            for name in unseen
+        },
+        covariance,
+        float(np.sqrt(np.mean((variance / expected - 1) ** 2 * freedom / 2))),
+    )

@@ -1,9 +1,8 @@
 """Rodrigues-Hamilton parameters: unit quaternions, scalar last, body to reference.
 
 The product is Hamilton's; a rotation that happens later about *body* axes multiplies on the right.
-Everything here agrees with `scipy.spatial.transform.Rotation`, which is what to use for ordinary
-work; these functions exist because the book's subject is the algebra itself, because they
-broadcast over any leading axes, and because products of long arrays take a fraction of the time.
+Everything here agrees with `scipy.spatial.transform.Rotation`. These functions broadcast over any
+leading axes, and products of long arrays take a fraction of the time.
 """
 
 from __future__ import annotations
@@ -36,7 +35,7 @@ def multiply(first: ArrayLike, second: ArrayLike) -> FloatArray:
 
 
 def conjugate(quaternion: ArrayLike) -> FloatArray:
-    """Conjugate of a quaternion: the inverse rotation if it is of unit norm.
+    """Conjugate of a quaternion: the inverse rotation if its norm is one.
 
     Parameters
     ----------
@@ -79,7 +78,7 @@ def rotate(quaternion: ArrayLike, vector: ArrayLike) -> FloatArray:
     Parameters
     ----------
     quaternion : array_like or Rotation, shape (..., 4)
-        Of any norm above zero; it is scaled to unit norm. The conjugate rotates the other way.
+        Of any norm above zero; it is scaled to unit norm.
     vector : array_like, shape (..., 3)
 
     Returns
@@ -179,8 +178,7 @@ def from_rotation_vector(rotation_vector: ArrayLike) -> FloatArray:
     Returns
     -------
     ndarray, shape (..., 4)
-        Its scalar part is cos(angle/2) for any angle, so ``t -> from_rotation_vector(w t)`` has no
-        jumps of sign.
+        Its scalar part is cos(angle/2) for any angle, so its sign does not jump as a body turns.
 
     Examples
     --------

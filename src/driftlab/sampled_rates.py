@@ -37,8 +37,7 @@ def increments_from_rates(
         Of the spline. The error of the integrals goes with this power of the spacing, plus one.
     longest_gap : float
         Longest time between two samples, in usual (median) spacings; more than 1. A single lost
-        sample leaves a gap of 2. The spline bridges what is let through, and errs there as if all
-        samples were so far apart.
+        sample leaves a gap of 2.
 
     Returns
     -------
@@ -55,21 +54,19 @@ def increments_from_rates(
 
     See Also
     --------
-    driftlab.attitude.integrate : The attitude from them.
     driftlab.recordings.from_dataframe : Checks units and stamps first.
 
     Notes
     -----
-    A spline guesses what the rate does between the samples. It does well with ten samples in a
-    period of the fastest motion and more. Nothing helps with two or fewer: a faster motion leaves
-    the same samples as a slower one. If an instrument gives increments, use those. Specific force
-    becomes increments of velocity in the same way.
+    A spline does well with ten samples and more in a period of the fastest motion. With two or
+    fewer nothing helps: a faster motion leaves the same samples as a slower one. Across a gap it
+    errs as if all samples were so far apart. If an instrument gives increments, use those. Specific
+    force becomes increments of velocity in the same way.
 
-    At an end the spline has samples on one side only, and magnifies their noise, the more the
-    higher its degree. Of white noise of variance 1 in the rates the first increment and the last
-    have the variance 0.93, 2.2 and 10.3 for the degrees 3, 5 and 7, in units of interval², and
-    those in the middle 0.66, 0.70 and 0.72. Neighbours share their noise, so the sum of many grows
-    by 1 in each interval for all degrees. Where the end matters, go on recording a few samples.
+    At an end the spline has samples on one side only, and magnifies their noise: white noise of
+    variance 1 in the rates gives the first and last increment the variance 0.93, 2.2 and 10.3 for
+    the degrees 3, 5 and 7, in units of interval², and those in the middle 0.66, 0.70 and 0.72. Sums
+    of many increments grow alike for all degrees. Where the end matters, record a few more samples.
 
     Examples
     --------

@@ -67,11 +67,7 @@ def at_rest(
     Raises
     ------
     ValueError
-        If the place is a pole, or an attitude is a zero quaternion.
-
-    See Also
-    --------
-    navigate : Goes on from there.
+        If the latitude is that of a pole, or an attitude is a zero quaternion.
 
     Examples
     --------
@@ -79,8 +75,6 @@ def at_rest(
     >>> state.attitude
     array([[0., 0., 0., 1.],
            [0., 0., 0., 1.]])
-    >>> state.velocity.shape
-    (2, 3)
     """
     place = finite_arrays(
         latitude=(latitude,),
@@ -115,9 +109,9 @@ def navigate(
         Number of increments between two results; even, because a step is made of two, and a divisor
         of n.
     hold_altitude : bool
-        Whether to reset altitude and vertical velocity to the start's altitude and to zero every
-        `driftlab.core.strapdown.CHUNK` seconds, as a barometer would, and in all results. Without
-        such aid a computed altitude diverges within an hour.
+        Whether to reset altitude and vertical velocity to the start's altitude and to zero every 40
+        seconds, as a barometer would, and in all results. Without such aid a computed altitude
+        diverges within an hour.
 
     Returns
     -------
@@ -138,14 +132,11 @@ def navigate(
 
     See Also
     --------
-    at_rest : A state to start from.
-    driftlab.attitude.integrate : The attitude alone.
     driftlab.calibration.mission_errors : How errors grow, in closed form.
 
     Notes
     -----
-    Gravity is that of the ellipsoid, with what changes along the height: within 0.3 micro-g of its
-    potential from -5 km to 20 km. The true Earth's differs from it by tens of micro-g.
+    Gravity is that of `driftlab.earth.gravity`, with its North component above the ellipsoid.
 
     References
     ----------

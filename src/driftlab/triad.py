@@ -22,7 +22,7 @@ from .core.vectors import symmetric_part, transform
 
 
 class TriadErrors(NamedTuple):
-    """An error matrix as the sum of three matrices; the result of `decompose`.
+    """An error matrix as the sum of three matrices.
 
     Attributes
     ----------
@@ -32,14 +32,6 @@ class TriadErrors(NamedTuple):
         Symmetric part with zero diagonal, rad.
     misalignment : ndarray, shape (..., 3, 3)
         Skew part, rad.
-
-    Examples
-    --------
-    >>> parts = decompose([[1, 2, 0], [4, 5, 0], [0, 0, 9]])
-    >>> parts.non_orthogonality
-    array([[0., 3., 0.],
-           [3., 0., 0.],
-           [0., 0., 0.]])
     """
 
     scale: FloatArray
@@ -58,7 +50,7 @@ def decompose(matrix: ArrayLike) -> TriadErrors:
     Returns
     -------
     TriadErrors
-        Three matrices, each of shape (..., 3, 3), whose sum is `matrix`.
+        Three matrices whose sum is `matrix`; Wu et al., (7)-(15).
 
     Warns
     -----
@@ -68,11 +60,6 @@ def decompose(matrix: ArrayLike) -> TriadErrors:
     See Also
     --------
     driftlab.drift.principal_drifts : What the symmetric part does.
-    driftlab.calibration.imu_errors_in_frame : Other body axes.
-
-    Notes
-    -----
-    Wu et al., (7)-(15).
 
     Examples
     --------
@@ -81,10 +68,6 @@ def decompose(matrix: ArrayLike) -> TriadErrors:
     array([[ 0., -1.,  0.],
            [ 1.,  0.,  0.],
            [ 0.,  0.,  0.]])
-    >>> sum(parts)
-    array([[1., 2., 0.],
-           [4., 5., 0.],
-           [0., 0., 9.]])
     """
     matrix = linear_error_matrix(finite_array(matrix, "matrix", 3, 3), "matrix")
     transposed = np.swapaxes(matrix, -1, -2)
@@ -151,11 +134,6 @@ def measured_rate(rate: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     -------
     ndarray, shape (..., 3)
         (I + M) rate, rad/s.
-
-    See Also
-    --------
-    driftlab.drift.drift_per_turn : What becomes of it.
-    decompose : The parts of the matrix.
 
     Examples
     --------

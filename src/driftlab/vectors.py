@@ -54,28 +54,6 @@ def direction_from_angles(azimuth: ArrayLike, elevation: ArrayLike) -> FloatArra
     return np.stack([level * np.cos(azimuth), level * np.sin(azimuth), np.sin(elevation)], axis=-1)
 
 
-def left_jacobian(rotation_vector: ArrayLike) -> FloatArray:
-    """Left Jacobian of the rotation group: mean of the rotations from the identity to the end.
-
-    Parameters
-    ----------
-    rotation_vector : array_like, shape (3,)
-        rad.
-
-    Returns
-    -------
-    ndarray, shape (3, 3)
-
-    Examples
-    --------
-    A vector that turns with half a turn about the third axis has this mean:
-
-    >>> (left_jacobian([0, 0, np.pi]) @ [1, 0, 0]).round(4)
-    array([0.    , 0.6366, 0.    ])
-    """
-    return core.left_jacobian(finite_array(rotation_vector, "rotation_vector", 3))
-
-
 def wrap_angle(angle: ArrayLike) -> FloatArray:
     """Angles brought to -pi to pi.
 

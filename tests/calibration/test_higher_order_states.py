@@ -21,8 +21,8 @@ from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
     TERMS,
     HigherOrderErrors,
+    _rate_changes,
     felt_besides,
-    rate_changes,
 )
 from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise, PriorDeviations
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
@@ -91,7 +91,7 @@ def test_growth_is_that_of_the_nonlinear_navigation():
         free_transition(LATITUDE, duration),
         record.attitude[0::2],
         increments,
-        rate_changes(0.01, increments.angle),
+        _rate_changes(0.01, increments.angle),
     )
     expected = numerical_growth(record, LATITUDE, LARGER)
     # A jump of the rate stands in the middle of a pair, which turns by 0.01 rad in all.
@@ -111,7 +111,7 @@ def test_growth_along_a_scheme_has_its_jumps():
         whole = matrix @ whole
     record = table_trajectory(scheme, LATITUDE, 0.01, multiple_of=2)
     increments, found = record.increments, np.eye(49)
-    changes = rate_changes(0.01, increments.angle)
+    changes = _rate_changes(0.01, increments.angle)
     for begin in range(0, len(increments.angle), 100):
         rows = slice(begin, begin + 100)
         found = (

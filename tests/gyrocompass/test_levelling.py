@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from driftlab.core.vectors import left_jacobian
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.frames import from_euler_angles, navigation_frame_rate
 from driftlab.gyrocompass.alignment import align, alignment_errors
@@ -24,7 +25,6 @@ from driftlab.quaternion import (
     rotate,
     to_rotation_vector,
 )
-from driftlab.vectors import left_jacobian
 from support import EPS, replaced, same_rotation
 
 LATITUDE = np.radians(51.5)

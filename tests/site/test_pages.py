@@ -47,7 +47,7 @@ def test_a_page_from_a_disk_reads_without_complaint(site, page, name):
         ("observability", "calibration.unobservable_subspace"),
         ("sculling", "attitude.sculling"),
         ("gyrocompassing", "gyrocompass.align"),
-        ("bias instability", "noise_identification.fit_noise_terms"),
+        ("bias instability", "noise_terms.fit_noise_terms"),
         ("attitude from rates", "sampled_rates.increments_from_rates"),
         ("align", "gyrocompass.align"),
         ("ZUPT", "recordings.rests"),

@@ -99,7 +99,7 @@ def test_words_of_the_field_stand_on_the_page_of_their_function():
     assert "gyrocompassing" in words["driftlab.gyrocompass.alignment.align"]
     assert "ZUPT" in words["driftlab.recordings.rest_detection.rests"]
     # The modules of the ground floor are one subject.
-    assert "bias instability" in words["driftlab.noise_identification.fit_noise_terms"]
+    assert "bias instability" in words["driftlab.noise_terms.fit_noise_terms"]
     # A helper of another subject does not get them.
     assert "driftlab.axes.convert_vectors" in documented()
     assert "gyrocompassing" not in words["driftlab.axes.convert_vectors"]

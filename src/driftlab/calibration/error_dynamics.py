@@ -174,8 +174,7 @@ def transition_of_increments(
         From which the attitudes were computed, with the known errors removed; arrays of shape
         (..., 2 n, 3).
     rate_change : ndarray, shape (..., 2 n, 3), optional
-        `driftlab.higher_order_errors.rate_changes` of the record that the increments are part of;
-        zero if not given. Only lever arms ask for it.
+        Change of the angular rate over each interval, rad/s; zero if not given.
 
     Returns
     -------

@@ -36,7 +36,7 @@ from driftlab.higher_order_errors import (
     checked_terms,
 )
 from driftlab.imu import ImuErrors, PriorDeviations, checked_imu_errors
-from driftlab.increments import Increments, without_errors
+from driftlab.increments import Increments, _without_errors
 
 AXES = "xyz"
 DIAGONAL = [(i, i) for i in range(3)]
@@ -167,9 +167,9 @@ class ErrorModel:
         self, measured: Increments, state: FloatArray, rate_change: FloatArray | None = None
     ) -> Increments:
         """Increments (..., n, 3) without the errors of a state (..., size); see
-        `driftlab.increments.without_errors`."""
+        `driftlab.increments._without_errors`."""
         more = self._higher_order_errors(state) if self.higher_order else None
-        return without_errors(measured, self._imu_errors(state), more, rate_change)
+        return _without_errors(measured, self._imu_errors(state), more, rate_change)
 
     def state(
         self, imu_errors: ImuErrors, higher_order: HigherOrderErrors | None = None

@@ -30,7 +30,7 @@ from driftlab.checks import (
 from driftlab.core import loops, quaternion
 from driftlab.core.strapdown import last_of
 from driftlab.earth import checked_latitude
-from driftlab.higher_order_errors import rate_changes
+from driftlab.higher_order_errors import _rate_changes
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments, checked_increments
 from driftlab.motion.scheme import Scheme
@@ -291,7 +291,7 @@ def _filtered(told: Told, keep: int, about: Calibration | None) -> Calibration:
         back = quaternion.multiply(believed, quaternion.conjugate(start_found))
         mean[..., :3] = quaternion.to_rotation_vector(back)
         believed = start_found
-    changes = rate_changes(measured.interval, measured.angle) if model.higher_order else None
+    changes = _rate_changes(measured.interval, measured.angle) if model.higher_order else None
     # Wu (51), (52): of all states the velocity error is seen, with noise.
     observed, spread = np.eye(3, model.size, 3), noise.reference_velocity**2 * np.eye(3)
     now = home = at_rest(place, believed)

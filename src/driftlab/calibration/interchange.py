@@ -24,7 +24,7 @@ from driftlab.higher_order_errors import (
     HigherOrderErrors,
     checked_higher_order_errors,
 )
-from driftlab.imu import ImuErrors, ImuNoise, checked_imu_errors, real_imu_errors
+from driftlab.imu import ImuErrors, ImuNoise, checked_imu_errors, checked_usual_imu_errors
 
 from .calibration_history import Calibration
 from .poses import PoseCalibration
@@ -121,8 +121,8 @@ def to_json(
     Raises
     ------
     ValueError
-        If `found` is something else, its numbers are not finite, or no unit's as
-        `driftlab.imu.real_imu_errors` has it; `axes` are none or `date` is no date.
+        If `found` is something else, its numbers are not finite or those of no unit; `axes` are
+        none or `date` is no date.
 
     Examples
     --------
@@ -188,7 +188,7 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
     if noise and (missing := [key for key in _NOISE if key not in noise]):
         raise ValueError(f"quantities: expected all of {', '.join(_NOISE)}, got no {missing[0]}.")
     kept = KeptCalibration(
-        real_imu_errors(ImuErrors(*(values[key] for key in ImuErrors._fields))),
+        checked_usual_imu_errors(ImuErrors(*(values[key] for key in ImuErrors._fields))),
         checked_imu_errors(ImuErrors(**deviations)) if deviations else None,
         checked_higher_order_errors(NO_HIGHER_ORDER_ERRORS._replace(**higher)) if higher else None,
         ImuNoise(**noise) if noise else None,
@@ -220,7 +220,7 @@ def _document(
     _check_axes_and_date(head["axes"], head["date"])
     quantities: dict[str, Any] = {}
     spread = None if kept.deviations is None else checked_imu_errors(kept.deviations)
-    for key, value in real_imu_errors(kept.imu_errors)._asdict().items():
+    for key, value in checked_usual_imu_errors(kept.imu_errors)._asdict().items():
         quantities[key] = (_UNITS[key], value, spread and getattr(spread, key))
     if kept.higher_order is not None:
         for key, value in checked_higher_order_errors(kept.higher_order)._asdict().items():

@@ -36,7 +36,6 @@ from driftlab.imu import (
     ImuErrors,
     ImuNoise,
     PriorDeviations,
-    broadcast_imu_errors,
     checked_imu_errors,
     random_imu_errors,
 )
@@ -208,7 +207,7 @@ class TableTrial:
             imu_errors = random_imu_errors(self.prior, source, *lead)
         imu_errors = checked_imu_errors(imu_errors)
         try:
-            imu_errors = broadcast_imu_errors(imu_errors, *lead)
+            imu_errors = checked_imu_errors(imu_errors, *lead)
         except ValueError:
             raise ValueError(
                 f"imu_errors, runs: expected leading axes that fit {runs!r} runs, got others."

@@ -11,8 +11,7 @@ from scipy.constants import arcsecond, degree, g, hour, micro, milli
 
 from driftlab.allan import AllanDeviation, allan_deviation
 from driftlab.checks import FloatArray
-from driftlab.noise_identification import NoiseFit, fit_noise_terms
-from driftlab.noise_terms import TERMS
+from driftlab.noise_terms import TERMS, NoiseFit, fit_noise_terms
 from driftlab.recordings.recording import Recording
 
 from .example import OPTIONS

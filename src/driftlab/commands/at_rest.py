@@ -15,7 +15,7 @@ from scipy.constants import degree, hour
 from driftlab.checks import FloatArray
 from driftlab.core.vectors import wrap_angle
 from driftlab.earth import EARTH_RATE
-from driftlab.frames import pitch_and_roll
+from driftlab.frames import _pitch_and_roll
 from driftlab.gyrocompass._contradictions import NOTHING_KNOWN, rate_contradiction
 from driftlab.gyrocompass.alignment import Alignment, align
 from driftlab.gyrocompass.inertial_alignment import InertialAlignment, align_in_inertial_frame
@@ -142,7 +142,7 @@ def at_rest(samples: Samples) -> AtRest:
 
 def _levelled(rate: FloatArray, force: FloatArray) -> Alignment:
     """Pitch and roll alone."""
-    pitch, roll = pitch_and_roll(force / np.linalg.norm(force, axis=-1, keepdims=True))
+    pitch, roll = _pitch_and_roll(force / np.linalg.norm(force, axis=-1, keepdims=True))
     unknown = np.full(np.shape(pitch), np.nan)
     return Alignment(unknown, pitch, roll, unknown, unknown)
 

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from driftlab.axes import axes_rotation
+from driftlab.axes import checked_axes
 from driftlab.recordings.csv_reader import read_csv
 from driftlab.recordings.guards import RULES, doubts
 from driftlab.recordings.imu_tk_reader import read_imu_tk
@@ -181,7 +181,7 @@ def _check(options: argparse.Namespace) -> None:
 
 def _check_axes(axes: str) -> None:
     try:
-        axes_rotation(axes, "FRD")
+        checked_axes(axes, "--axes", "body")
     except ValueError:
         raise ValueError(
             "--axes: expected three letters of right-handed body axes, as FRD (forward, right, "

@@ -27,7 +27,7 @@ from driftlab.earth import (
     checked_latitude,
     gravity as normal_gravity,
 )
-from driftlab.frames import from_euler_angles, pitch_and_roll, refuse_vertical
+from driftlab.frames import _pitch_and_roll, checked_pitch, from_euler_angles
 
 from ._contradictions import (
     NOT_KNOWN,
@@ -226,7 +226,7 @@ def align(
             f"{np.degrees(np.arcsin(across.min())):.3g} degrees."
         )
     upward = np.einsum("...i,...i->...", turn, up)
-    pitch, roll = pitch_and_roll(up)
+    pitch, roll = _pitch_and_roll(up)
     along = turn[..., 1] * np.cos(roll) - turn[..., 2] * np.sin(roll)
     forward = turn[..., 0] * np.cos(pitch) - along * np.sin(pitch)
     right = turn[..., 1] * np.sin(roll) + turn[..., 2] * np.cos(roll)
@@ -374,7 +374,7 @@ def alignment_errors(
     heading, pitch, place, gyro_bias, accelerometer_bias, pull = _alignment_arguments(
         latitude, gyro_bias_nue, accelerometer_bias_nue, gravity, heading=(heading,), pitch=(pitch,)
     )
-    refuse_vertical(pitch)
+    checked_pitch(pitch)
     north, _, east = np.moveaxis(accelerometer_bias / pull[..., np.newaxis], -1, 0)
     cosine, sine = np.cos(heading), np.sin(heading)
     terms = np.stack(

@@ -48,7 +48,7 @@ def alignment_deviation(
     --------
     align : The alignment itself.
     two_position_deviation : With half a turn between two rests.
-    driftlab.noise_identification.fit_noise_terms : The random walk of a record.
+    driftlab.noise_terms.fit_noise_terms : The random walk of a record.
 
     Notes
     -----

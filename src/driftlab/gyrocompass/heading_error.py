@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_arrays
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE
-from driftlab.frames import navigation_frame_rate, refuse_vertical
+from driftlab.frames import checked_pitch, navigation_frame_rate
 
 
 def speed_error(
@@ -215,7 +215,7 @@ def operating_heading_error(
         pitch=(pitch,),
         proportional_rate=(proportional_rate, 2),
     )
-    refuse_vertical(pitch)
+    checked_pitch(pitch)
     north, up, east = np.moveaxis(navigation_frame_rate(place, speed, radius), -1, 0)
     squared = _level_rate_squared(north, east)
     (alpha, chi), (alpha_rate, chi_rate) = np.moveaxis(tilts, -1, 0), np.moveaxis(tilt_rates, -1, 0)

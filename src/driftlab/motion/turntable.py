@@ -13,9 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_number, one_quaternion, positive_number, whole_number
+from driftlab.core.earth import gravity_north
 from driftlab.core.quaternion import conjugate, from_rotation_vector, multiply, rotate
 from driftlab.core.vectors import left_jacobian
-from driftlab.earth import checked_latitude, earth_rate, gravity, gravity_north
+from driftlab.earth import checked_latitude, earth_rate, gravity
 from driftlab.increments import Increments
 
 from .scheme import Scheme, checked_scheme
@@ -208,7 +209,8 @@ def static_trajectory(
 
 def _force(latitude: float, altitude: float) -> FloatArray:
     """Specific force (3,) of what stands still, East, North, Up: gravity's opposite."""
-    return -np.array([0.0, gravity_north(latitude, altitude), -gravity(latitude, altitude)])
+    north = gravity_north(np.array(latitude), np.array(altitude))
+    return -np.array([0.0, north, -gravity(latitude, altitude)])
 
 
 def _at_one_place(increments: Increments, attitude: FloatArray, latitude: float) -> Trajectory:

@@ -16,8 +16,7 @@ from driftlab.gyrocompass.inertial_alignment import (
     inertial_alignment_deviation,
 )
 from driftlab.gyrocompass.noise_fit import fit_gyro_noise
-from driftlab.noise_identification import NoiseFit, fit_noise_terms
-from driftlab.noise_terms import TERMS, NoiseTerms
+from driftlab.noise_terms import TERMS, NoiseFit, NoiseTerms, fit_noise_terms
 from driftlab.recordings.publishers import published
 from driftlab.recordings.recording import Recording
 

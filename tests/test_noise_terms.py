@@ -5,9 +5,8 @@ import pytest
 from scipy.stats import binom
 
 from driftlab.allan import allan_deviation
-from driftlab.core.noise_identification import Points, upper_bound
-from driftlab.noise_identification import fit_noise_terms
-from driftlab.noise_terms import TERMS, NoiseTerms
+from driftlab.core.allan import Points, upper_bound
+from driftlab.noise_terms import TERMS, NoiseTerms, fit_noise_terms
 from support import chi_bounds
 
 MILLION = 1e-6
