@@ -64,7 +64,7 @@ class NoiseTerms:
     array([3.17804972e-06, 1.41421356e-06, 3.17804972e-06])
     >>> noise.lines(4.0)["angle_random_walk"]
     np.float64(5e-06)
-    >>> noise.samples(4, 0.5, rng=1).shape
+    >>> noise.samples(4, 0.5, np.random.default_rng(1)).shape
     (4,)
     """
 
