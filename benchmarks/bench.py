@@ -10,7 +10,6 @@ import sys
 import warnings
 from pathlib import Path
 
-from driftlab.compilation import use_compiled
 from speed import allan, attitude, filtering, gyrocompass, navigation, program
 from speed.measuring import Alone, Row, measure
 from speed.page import Found, machine, page, tables, write_picture
@@ -51,7 +50,6 @@ def main() -> None:
     sys.stdout.reconfigure(line_buffering=True)
     here = machine(os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0)
     print(here)
-    use_compiled(False)  # but in the rows that say so
     found: Found = {}
     for heading, rows in (SUBJECTS[name] for name in options.subjects or SUBJECTS):
         print(f"\n## {heading}\n")

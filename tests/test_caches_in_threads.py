@@ -24,9 +24,9 @@ from driftlab.noise_terms import fit_noise_terms
 from fuzz_rules import leaves
 
 THREADS = 8
-# Of compiled loops, which `benchmarks/peers/test_compiled` runs, and of single runs in processes.
+# Whether Numba can be loaded, which `test_compiled` asks.
 APART = {"driftlab.core.loops"}
-NEED_NUMBA = tuple(f"driftlab.core.{name}" for name in ("_kernels", "_filter_kernels", "compiled"))
+NEED_NUMBA = "driftlab.core.compiled", "driftlab.core.kernels"
 
 
 @cache

@@ -240,13 +240,10 @@ def test_in_a_browser_a_warning_says_that_there_is_one_process(monkeypatch, tmp_
     assert not list(tmp_path.iterdir())
 
 
-def test_a_batch_is_compiled_if_it_would_be_where_it_was_asked_for(monkeypatch):
-    switched = []
-    monkeypatch.setattr(monte_carlo, "use_compiled", switched.append)
-    on = monte_carlo.loops.on
-    for compiled in (on, not on):
-        monte_carlo._batch(0, draws, np.random.SeedSequence(1), 2, None, compiled)
-    assert switched == [not on]
+def test_a_batch_is_compiled_as_where_it_was_asked_for(monkeypatch):
+    monkeypatch.setattr(monte_carlo.loops, "asked", None)
+    monte_carlo._batch(0, draws, np.random.SeedSequence(1), 2, None, False)
+    assert monte_carlo.loops.asked is False
 
 
 @given(freedom=st.integers(1, 60), runs=st.integers(1, 1000), confidence=st.floats(0.01, 0.999))

@@ -17,7 +17,7 @@ from driftlab.motion import Coning
 from driftlab.quaternion import conjugate, multiply
 
 from . import floor
-from .measuring import Contender, Row, and_compiled, copy_of, in_c, largest_angle
+from .measuring import Contender, Row, and_by_numpy, copy_of, in_c, largest_angle
 from .navigation import INTERVAL, LATITUDE, NED, attitudes_of_pyins, by_pyins
 
 COUNT, SOME, WITH_NAVIGATION = 10**6 - 10**6 % 12, 12_000, 120_000
@@ -84,4 +84,4 @@ def rows() -> Iterator[Row]:
             (COUNT, "an increment"),
             "rad in two minutes",
         )
-        yield from and_compiled(row)
+        yield from and_by_numpy(row)

@@ -15,7 +15,7 @@ from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion import NINETEEN_POSITIONS
 
 from . import floor
-from .measuring import Contender, Row, and_compiled, copy_of, in_c
+from .measuring import Contender, Row, and_by_numpy, copy_of, in_c
 
 
 def rows() -> Iterator[Row]:
@@ -90,7 +90,7 @@ def rows() -> Iterator[Row]:
         "of the covariance, in units of the deviations",
         1e-10,
     )
-    yield from and_compiled(row)
+    yield from and_by_numpy(row)
 
 
 def extended_covariance(

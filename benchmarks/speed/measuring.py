@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.stats import quantile_test
 
-from driftlab.compilation import use_compiled
+from driftlab.core.loops import by_numpy_alone
 from driftlab.quaternion import conjugate, multiply, rotation_angle
 
 from . import floor
@@ -177,20 +177,17 @@ def in_c(run: Callable[[], Any], error: Callable[[Any], float]) -> Maker:
     return make
 
 
-def and_compiled(row: Row) -> Iterator[Row]:
-    """The row as it is, and once more with our loops compiled, if Numba is here."""
+def and_by_numpy(row: Row) -> Iterator[Row]:
+    """The row as a user has it, and once more by NumPy alone, if Numba is here."""
 
     def run() -> Any:
-        use_compiled()
-        try:
+        with by_numpy_alone():
             return row.ours.run()
-        finally:
-            use_compiled(False)
 
     yield row
     if find_spec("numba"):
-        ours = replace(row.ours, name="driftlab, compiled", run=run)
-        yield replace(row, title=f"{row.title}, compiled", ours=ours)
+        ours = replace(row.ours, name="driftlab, NumPy alone", run=run)
+        yield replace(row, title=f"{row.title}, NumPy alone", ours=ours)
 
 
 def largest_angle(found: np.ndarray, true: np.ndarray) -> float:

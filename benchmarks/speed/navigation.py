@@ -12,7 +12,7 @@ from driftlab.motion import NINETEEN_POSITIONS, Scheme, table_trajectory
 from driftlab.strapdown import Navigation, at_rest, navigate
 
 from . import floor
-from .measuring import Contender, Row, and_compiled, copy_of, in_c
+from .measuring import Contender, Row, and_by_numpy, copy_of, in_c
 
 LATITUDE, INTERVAL = np.radians(37.5), 0.01
 NED = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1]])
@@ -42,7 +42,7 @@ def rows() -> Iterator[Row]:
         error_in="m/s",
         rounding=1e-6,
     )
-    yield from and_compiled(row)
+    yield from and_by_numpy(row)
 
 
 def by_pyins(attitude: np.ndarray, increments: np.ndarray, **options: Any) -> Callable[[], Any]:

@@ -40,7 +40,7 @@ Conventions, fixed here once for the whole package:
 
 Ground floor: `checks`, `vectors`, `quaternion`, `earth`, `axes`, `conventions`, `frames`, `triad`,
 `body_frames`, `imu`, `increments`, `strapdown`, `allan`, `noise_terms`,
-`compilation`, `monte_carlo`.
+`monte_carlo`.
 On it stand the subjects: `motion`, `drift`, `attitude`, `recordings`,
 `calibration`, `gyrocompass`. All of these need NumPy and SciPy only, and so does `commands`, but
 for its bar and its plots. `symbolic` (SymPy) and `book` (Matplotlib, ipywidgets) come with

@@ -6,7 +6,6 @@ from . import (
     book as book,
     calibration as calibration,
     checks as checks,
-    compilation as compilation,
     conventions as conventions,
     diagnosis as diagnosis,
     drift as drift,
@@ -33,7 +32,6 @@ from .axes import convert_attitude as convert_attitude, convert_vectors as conve
 from .book.figures import figure as figure
 from .calibration.filter import calibrate as calibrate
 from .calibration.simulation import TableTrial as TableTrial
-from .compilation import is_compiled as is_compiled, use_compiled as use_compiled
 from .drift.recorded_turns import recorded_turn_estimate as recorded_turn_estimate
 from .drift.systematic_drift import (
     drift_coefficient as drift_coefficient,

@@ -46,7 +46,7 @@ GROUND_FLOOR = (
         "sampled_rates",
         "strapdown",
     ),
-    *("allan", "noise_terms", "compilation", "monte_carlo", "diagnosis"),
+    *("allan", "noise_terms", "monte_carlo", "diagnosis"),
 )
 SUBJECTS = (
     *(

@@ -10,7 +10,7 @@ collect_ignore = ["__main__.py", "book"]  # chapters have tests of their own
 if find_spec("sympy") is None:
     collect_ignore.append("symbolic")
 if find_spec("numba") is None:
-    collect_ignore += [f"core/{name}.py" for name in ("_kernels", "_filter_kernels", "compiled")]
+    collect_ignore += [f"core/{name}.py" for name in ("compiled", "kernels")]
 
 
 def pytest_configure(config: Any) -> None:

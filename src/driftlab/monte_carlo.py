@@ -25,7 +25,6 @@ import scipy
 
 import driftlab
 from driftlab.checks import checked_function, checked_path, probability, shown, whole_number
-from driftlab.compilation import use_compiled
 from driftlab.core import loops
 from driftlab.core.quantiles import chi_squared_quantile
 
@@ -125,7 +124,7 @@ def run_batches(
     kept = _read(files)
     children = np.random.SeedSequence(root).spawn(len(sizes))
     left = [
-        (number, task, children[number], size, files[number], loops.on)
+        (number, task, children[number], size, files[number], loops.asked)
         for number, size in enumerate(sizes)
         if number not in kept
     ]
@@ -165,11 +164,10 @@ def _batch(
     child: np.random.SeedSequence,
     size: int,
     file: Path | None,
-    compiled: bool,
+    asked: bool | None,
 ) -> tuple[int, Result]:
     """Make one batch, with NumPy or Numba as where it was asked for, and keep it at once."""
-    if loops.on != compiled:
-        use_compiled(compiled)
+    loops.asked = asked  # a process that was there before knows nothing of it
     result = task(np.random.default_rng(child), size)
     if file:
         with suppress(Exception):  # if this computer or process cannot, the caller writes it

@@ -18,6 +18,7 @@ from tqdm import tqdm
 
 import driftlab
 from driftlab.checks import whole_number
+from driftlab.core.loops import by_numpy_alone
 from driftlab.monte_carlo import FOLDER
 
 from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, experiment_numbers
@@ -94,6 +95,7 @@ def write_figures_on(
 ) -> None:
     """Write all figures, or some, the many runs of their studies on all cores or on a cluster."""
     with ExitStack() as places:
+        places.enter_context(by_numpy_alone())  # the digits that are published
         try:
             if keep is not None:
                 keep.mkdir(parents=True, exist_ok=True)

@@ -10,8 +10,7 @@ what the noise adds. Two such pieces make one again.
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache, reduce
 from itertools import permutations, product
@@ -90,7 +89,7 @@ def covariance_analysis(
     >>> round(1e6 * float(np.sqrt(variances[linearized.model.names.index("gyro scale x")])), 2)
     3.55
     """
-    return deque(_covariances(linearized, noise, prior, update), maxlen=1)[0]
+    return _covariances(linearized, noise, prior, update)[0]
 
 
 def deviation_history(
@@ -123,30 +122,27 @@ def deviation_history(
     array([[100., 100.],
            [100.,   7.]])
     """
-    steps = _covariances(linearized, noise, prior, update)
+    _, variances = _covariances(linearized, noise, prior, update)
     # What is measured almost exactly has a variance of the size of the rounding, of either sign.
-    return np.sqrt([np.maximum(np.diag(covariance), 0.0) for covariance in steps])
+    return np.sqrt(np.maximum(variances, 0.0))
 
 
 def _covariances(
     linearized: LinearizedErrors, noise: ImuNoise, prior: PriorDeviations, update: float
-) -> Iterator[FloatArray]:
-    """Covariance (size, size) before the first step and after each one."""
+) -> tuple[FloatArray, FloatArray]:
+    """Covariance (size, size) after s steps; variances (s + 1, size) before and after each."""
     checked_linearized(linearized)
     checked_noise(noise)
     seconds = positive_number(update, "update")
     checked_instance(prior, PriorDeviations, "prior")
-    covariance = linearized.model.covariance(prior, linearized.start)
-    yield covariance
+    start = linearized.model.covariance(prior, linearized.start)
     rows = linearized.transitions[:, :6]  # the sensor errors are constant
     added = process_noise(noise, rows[:, 3:, :3], linearized.durations)
     observed = np.eye(3, linearized.model.size, 3)  # the velocity
     variances = noise.reference_velocity**2 * seconds / linearized.durations
     spreads = variances[:, np.newaxis, np.newaxis] * np.eye(3)
-    for matrix, more, spread in zip(rows, added, spreads, strict=True):
-        covariance = loops.predict(covariance, matrix, more)
-        covariance, _, _ = loops.correct_covariance(covariance, observed, spread)
-        yield covariance
+    found, variances = loops.covariances(start, rows, added, observed, spreads)
+    return found, np.vstack([start.diagonal(), variances])
 
 
 IntArray = NDArray[np.int_]

@@ -27,7 +27,7 @@ from driftlab.checks import (
     unit_quaternions,
     whole_number,
 )
-from driftlab.core import loops, quaternion
+from driftlab.core import kalman, loops, quaternion
 from driftlab.core.strapdown import last_of
 from driftlab.earth import checked_latitude
 from driftlab.higher_order_errors import _rate_changes
@@ -299,16 +299,18 @@ def _filtered(told: Told, keep: int, about: Calibration | None) -> Calibration:
     for k, (end, each) in enumerate(zip(ends.tolist(), lengths.tolist(), strict=True)):
         change = None if changes is None else changes[..., end - each : end, :]
         true = model._corrected(measured.part(end - each, end), state, change)
-        way = loops.navigate(now, true.angle, true.velocity, true.interval, ALGORITHM)
+        way = loops.navigate(
+            now, true.angle, true.velocity, true.interval, ALGORITHM, calls=len(ends)
+        )
         attitudes = np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
         growth = transition_of_increments(model, free[each], attitudes, true, change)
         arrived = last_of(way)
         mean = (growth @ mean[..., np.newaxis])[..., 0]
         added = process_noise(noise, growth[..., 3:6, :3], np.asarray(each * interval))
-        covariance = loops.predict(covariance, growth[..., :6, :], added)
+        covariance = kalman.predict(covariance, growth[..., :6, :], added)
         innovation = arrived.velocity - reference[..., k, :] - mean[..., 3:6]
         seen.append((innovation, covariance[..., 3:6, 3:6]))
-        correction, covariance, nis = loops.correct(covariance, innovation, observed, spread)
+        correction, covariance, nis = kalman.correct(covariance, innovation, observed, spread)
         mean = mean + correction
         found = state + mean
         found[..., :6] = 0.0

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, common_leading_axes, finite_array
-from driftlab.core import loops
+from driftlab.core import kalman as core
 
 
 class Update(NamedTuple):
@@ -80,7 +80,7 @@ def predict(covariance: ArrayLike, transition: ArrayLike, noise: ArrayLike) -> F
     common_leading_axes(
         covariance=before.shape[:-2], transition=moved.shape[:-2], noise=added.shape[:-2]
     )
-    return loops.predict(before, moved, added)
+    return core.predict(before, moved, added)
 
 
 def correct(
@@ -142,7 +142,7 @@ def correct(
     )
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # refused below
-            found = Update(*loops.correct(before, news, seen, spread))
+            found = Update(*core.correct(before, news, seen, spread))
     except np.linalg.LinAlgError:
         found = None
     # A spread that is singular but for rounding has an inverse, by which squares are negative.

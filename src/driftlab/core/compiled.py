@@ -6,14 +6,11 @@ kernels have one leading axis and no gaps.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
-from . import _filter_kernels, _kernels, attitude, kalman
+from . import attitude, kernels
 from .coning import ConingSteps
 from .earth import refuse_inner_earth
 from .functional_iteration import WindowSteps
@@ -31,11 +28,11 @@ def attitudes(
     """As `driftlab.core.attitude.attitudes`."""
     if isinstance(algorithm, WindowSteps):
         return attitude.attitudes(algorithm, increments, past, first, cumulative_product)
-    lead = _lead(first[..., np.newaxis, :], increments)
+    lead = np.broadcast_shapes(first.shape[:-1], increments.shape[:-2])
     begun, rows = _runs(first[..., np.newaxis, :], lead), _runs(increments, lead)
     found = np.empty((*lead, (increments.shape[-2] - past) // algorithm.samples, 4))
     stage = _STAGES.index(algorithm.last_stage)
-    largest = _kernels.attitudes(
+    largest = kernels.attitudes(
         begun, rows, algorithm.samples, algorithm.memory, past, algorithm.pairs,
         algorithm.weights, algorithm.starts, stage, _runs(found, lead),
     )  # fmt: skip
@@ -47,7 +44,7 @@ def cumulative_product(quaternions: FloatArray) -> FloatArray:
     """As `driftlab.core.quaternion.cumulative_product`."""
     rows = _runs(quaternions, quaternions.shape[:-2])
     found = np.empty(rows.shape)
-    _kernels.cumulative_product(rows, found)
+    kernels.cumulative_product(rows, found)
     return found.reshape(quaternions.shape)
 
 
@@ -76,7 +73,7 @@ def navigate(
     begun = begun.reshape(-1, 10)
     found = np.empty((len(begun), count, 10))
     stage = _STAGES.index(algorithm.last_stage)
-    largest, lowest = _kernels.navigate(
+    largest, lowest = kernels.navigate(
         begun, angles, pushes, interval, algorithm.samples, algorithm.pairs, algorithm.weights,
         stage, steps_at_once(interval), every // 2, hold_altitude, found,
     )  # fmt: skip
@@ -89,50 +86,20 @@ def navigate(
     )
 
 
-def predict(covariance: FloatArray, transition: FloatArray, noise: FloatArray) -> FloatArray:
-    """As `driftlab.core.kalman.predict`."""
-    if covariance.ndim == transition.ndim == noise.ndim == 2:
-        return _filter_kernels.predict(covariance, transition, noise)
-    lead = _lead(covariance, transition, noise)
-    given = (_runs(each, lead) for each in (covariance, transition, noise))
-    return _filter_kernels.predict_each(*given).reshape(*lead, *covariance.shape[-2:])
-
-
-def correct_covariance(
-    covariance: FloatArray, observation: FloatArray, noise: FloatArray
-) -> tuple[FloatArray, NDArray[Any], NDArray[Any]]:
-    """As `driftlab.core.kalman.correct_covariance`."""
-    lead = _lead(covariance, observation, noise)
-    given = (_runs(each, lead) for each in (covariance, observation, noise))
-    *found, regular = _filter_kernels.correct_covariance_each(*given)
-    if not regular:
-        raise _singular()
-    after, gain, weights = (each.reshape(*lead, *each.shape[1:]) for each in found)
-    return after, gain, weights
-
-
-def correct(
-    covariance: FloatArray, innovation: FloatArray, observation: FloatArray, noise: FloatArray
-) -> tuple[FloatArray, FloatArray, Any]:
-    """As `driftlab.core.kalman.correct`."""
-    if not (innovation.ndim == 1 and covariance.ndim == observation.ndim == noise.ndim == 2):
-        return kalman.correct(covariance, innovation, observation, noise, correct_covariance)
-    correction, after, nis, regular = _filter_kernels.correct(
-        covariance, innovation, observation, noise
-    )
-    if not regular:
-        raise _singular()
-    return correction, after, np.float64(nis)
-
-
-def _singular() -> np.linalg.LinAlgError:
-    return np.linalg.LinAlgError("Singular matrix")  # as np.linalg.inv says
-
-
-def _lead(*values: FloatArray) -> tuple[int, ...]:
-    """Leading axes of arrays (..., a, b) together; sooner than NumPy where they are alike."""
-    shapes = {each.shape[:-2] for each in values if each.ndim > 2}
-    return np.broadcast_shapes(*shapes) if len(shapes) > 1 else shapes.pop() if shapes else ()
+def covariances(
+    covariance: FloatArray,
+    transitions: FloatArray,
+    noises: FloatArray,
+    observation: FloatArray,
+    spreads: FloatArray,
+) -> tuple[FloatArray, FloatArray]:
+    """As `driftlab.core.kalman.covariances`."""
+    after = np.array(covariance, order="C")
+    variances = np.empty((len(transitions), len(after)))
+    given = map(np.ascontiguousarray, (transitions, noises, observation, spreads))
+    if not kernels.covariances(after, *given, variances):
+        raise np.linalg.LinAlgError("Singular matrix")  # as np.linalg.inv says
+    return after, variances
 
 
 def _runs(values: FloatArray, lead: tuple[int, ...]) -> FloatArray:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -47,10 +46,31 @@ def correct(
     innovation: FloatArray,
     observation: FloatArray,
     noise: FloatArray,
-    gained: Callable[..., tuple[FloatArray, NDArray[Any], NDArray[Any]]] = correct_covariance,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Correction, covariance and normalised innovation squared."""
-    after, gain, weights = gained(covariance, observation, noise)
+    after, gain, weights = correct_covariance(covariance, observation, noise)
     column = innovation[..., np.newaxis]
     weighted = (weights @ column)[..., 0]
     return (gain @ column)[..., 0], after, np.vecdot(innovation, weighted)
+
+
+def covariances(
+    covariance: FloatArray,
+    transitions: FloatArray,
+    noises: FloatArray,
+    observation: FloatArray,
+    spreads: FloatArray,
+) -> tuple[FloatArray, FloatArray]:
+    """Covariance after s steps, and the variances (s, size) after each.
+
+    A step is `predict` with its transition (k, size) and noise (k, k), and `correct_covariance`
+    with the observation (m, size) and its spread (m, m).
+    """
+    variances = np.empty((len(transitions), len(covariance)))
+    for step, (transition, noise, spread) in enumerate(
+        zip(transitions, noises, spreads, strict=True)
+    ):
+        covariance = predict(covariance, transition, noise)
+        covariance, _, _ = correct_covariance(covariance, observation, spread)
+        variances[step] = covariance.diagonal()
+    return covariance, variances

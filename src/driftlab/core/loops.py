@@ -1,94 +1,137 @@
-"""The loops that may be compiled, each in NumPy or by Numba: the one place that chooses.
+"""The loops that may be compiled, each by NumPy or by Numba: the one place that chooses.
 
-Whatever uses one of them takes it from here, and nothing else asks which it is.
+What is chosen depends on the size of a call alone, so that the same call has the same last digits
+wherever and whenever it is made: by hand, in a notebook that runs again, on any number of workers.
 """
 
 from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Callable
-from functools import cache, wraps
-from importlib.metadata import version
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
 from importlib.util import find_spec
-from types import ModuleType
-from typing import Any, TypeVar, cast
+from typing import Any
+
+from driftlab.checks import FloatArray
 
 from . import attitude, kalman, quaternion, strapdown
-
-_Loop = TypeVar("_Loop", bound=Callable[..., Any])
+from .coning import ConingSteps
+from .functional_iteration import WindowSteps
+from .strapdown import Navigation
 
 VARIABLE = "DRIFTLAB_COMPILED"
-"""Of the environment: "1" where arithmetic is compiled, else "0" or not set. Processes that are
-started inherit it."""
+"""Of the environment: "0" compiles nothing, "1" whatever its size; else long records are compiled.
+It is read at the start of a program, and processes that are started inherit it."""
+
+# NumPy takes 40 ms for so many increments or filter steps, over all runs; Numba is loaded in 0.4 s
+# once in a process, and compiles for 2 to 3 s once on a computer. So a call that a notebook makes
+# in passing never waits for it, one long record waits for less than half a second, and a study
+# of many has that back after ten of them, each two to eight times as fast from then on.
+LONG_ATTITUDE, LONG_NAVIGATION, LONG_FILTER = 700_000, 150_000, 2_500
 
 
-def available() -> bool:
-    """Whether Numba is installed."""
-    return find_spec("numba") is not None
-
-
-def _asked() -> bool:
-    """Whether the environment asks for it, and it can be had; if not, a warning says why.
-
-    Of a process that another one started, that one has said it.
-    """
+def _asked() -> bool | None:
+    """What the environment asks for: all, nothing, or (None) what is long."""
     asked = os.environ.get(VARIABLE, "")
-    if asked in ("", "0"):
-        return False
-    from multiprocessing import parent_process
-
-    if parent_process():
-        return asked == "1" and available()
-    if asked != "1":
+    if asked not in ("", "0", "1"):
         warnings.warn(
-            f"{VARIABLE}: expected 0 or 1, got {asked!r}; nothing is compiled.", stacklevel=2
+            f"{VARIABLE}: expected 0 or 1, got {asked!r}; long records are compiled.", stacklevel=2
         )
-    elif not available():
-        warnings.warn(
-            f"{VARIABLE} is 1, but numba is not installed: pip install driftlab[compiled] brings "
-            "it. Nothing is compiled.",
-            stacklevel=2,
-        )
-    return asked == "1" and available()
+    return {"0": False, "1": True}.get(asked)
 
 
-on = _asked()
+asked = _asked()
+
+
+@contextmanager
+def by_numpy_alone() -> Iterator[None]:
+    """Compile nothing in a ``with`` block, nor in processes that are started in it."""
+    global asked
+    before, said = asked, os.environ.get(VARIABLE, "")
+    asked, os.environ[VARIABLE] = False, "0"
+    try:
+        yield
+    finally:
+        asked, os.environ[VARIABLE] = before, said
 
 
 def arithmetic() -> str:
-    """What computes, as "NumPy" or "Numba 0.62.1"; it decides on last digits."""
-    return f"Numba {version('numba')}" if on else "NumPy"
+    """What computes long records, as "NumPy" or "Numba 0.62.1"; it decides on last digits."""
+    if asked is False or find_spec("numba") is None:
+        return "NumPy"
+    from importlib.metadata import version
 
-
-def switch(wanted: bool) -> None:
-    """Compile from now on, or no longer; here and in processes started later."""
-    global on
-    on = wanted
-    os.environ[VARIABLE] = "1" if wanted else "0"
+    return f"Numba {version('numba')}"
 
 
 @cache
-def _compiled() -> ModuleType:
-    """Those of Numba, which takes half a second to be loaded."""
-    from . import compiled
-
+def _numba() -> Any:
+    """The loops by Numba, or None where it is not installed or not fit for this NumPy or disk."""
+    try:
+        from . import compiled
+    except Exception as error:
+        # Nobody else asked for it. Without a place for its cache it would compile in each process.
+        if asked:
+            warnings.warn(f"{VARIABLE} is 1, but NumPy computes: {error}", stacklevel=4)
+        return None
     return compiled
 
 
-def _chosen(plain: _Loop) -> _Loop:
-    """A loop of NumPy, or where it is `on` the one of the same name in `compiled`."""
-
-    @wraps(plain)
-    def loop(*given: Any, **named: Any) -> Any:
-        return (getattr(_compiled(), plain.__name__) if on else plain)(*given, **named)
-
-    return cast(_Loop, loop)
+def _compiled(is_long: bool) -> Any:
+    """The loops by Numba if this call is for them, else None."""
+    return _numba() if asked or (is_long and asked is None) else None
 
 
-attitudes = _chosen(attitude.attitudes)
-correct = _chosen(kalman.correct)
-correct_covariance = _chosen(kalman.correct_covariance)
-cumulative_product = _chosen(quaternion.cumulative_product)
-navigate = _chosen(strapdown.navigate)
-predict = _chosen(kalman.predict)
+def attitudes(
+    algorithm: ConingSteps | WindowSteps,
+    increments: FloatArray,
+    past: int = 0,
+    first: FloatArray = attitude.NO_TURN,
+) -> FloatArray:
+    """As `driftlab.core.attitude.attitudes`."""
+    rows = max(increments.size // 3, increments.shape[-2] * (first.size // 4))
+    by = _compiled(rows >= LONG_ATTITUDE) or attitude
+    return by.attitudes(algorithm, increments, past, first)
+
+
+def cumulative_product(quaternions: FloatArray) -> FloatArray:
+    """As `driftlab.core.quaternion.cumulative_product`."""
+    by = _compiled(quaternions.size // 4 >= LONG_ATTITUDE) or quaternion
+    return by.cumulative_product(quaternions)
+
+
+def navigate(
+    start: Navigation,
+    angle: FloatArray,
+    velocity: FloatArray,
+    interval: float,
+    algorithm: ConingSteps,
+    *,
+    every: int = 2,
+    hold_altitude: bool = False,
+    calls: int = 1,
+) -> Navigation:
+    """As `driftlab.core.strapdown.navigate`; one of so many calls that go along a record."""
+    runs = max(
+        *(each.size for each in start[:3]),
+        *(each[..., 0].size for each in start[3:]),
+        *(each[..., 0, 0].size for each in (angle, velocity)),
+    )
+    by = _compiled(calls * runs * angle.shape[-2] >= LONG_NAVIGATION) or strapdown
+    return by.navigate(
+        start, angle, velocity, interval, algorithm, every=every, hold_altitude=hold_altitude
+    )
+
+
+def covariances(
+    covariance: FloatArray,
+    transitions: FloatArray,
+    noises: FloatArray,
+    observation: FloatArray,
+    spreads: FloatArray,
+) -> tuple[FloatArray, FloatArray]:
+    """As `driftlab.core.kalman.covariances`."""
+    by = _compiled(len(transitions) >= LONG_FILTER) or kalman
+    return by.covariances(covariance, transitions, noises, observation, spreads)

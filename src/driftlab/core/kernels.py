@@ -1,4 +1,4 @@
-"""Attitude and navigation, as Numba compiles them: one number at a time.
+"""Attitude, navigation and a filter's covariance, as Numba compiles them: one number at a time.
 
 Each kernel goes through the formulas of a function in NumPy in the same order, so that the two
 differ by rounding alone; the docstring names that function, and its comments hold here as well.
@@ -464,3 +464,101 @@ def navigate(
                 speed[0], speed[1] = speed[0] - climb * up0, speed[1] - climb * up1
                 speed[2] = speed[2] - climb * up2
     return largest, lowest
+
+
+@compiled
+def covariances(
+    after: Any, transitions: Any, noises: Any, observation: Any, spreads: Any, variances: Any
+) -> bool:
+    """`kalman.covariances` of (size, size) in place, and whether all spreads had an inverse."""
+    moving, size, many = transitions.shape[1], len(after), len(observation)
+    rows, seen, gain = np.empty((moving, size)), np.empty((many, size)), np.empty((size, many))
+    weights = np.empty((many, many))
+    for step in range(len(transitions)):
+        transition, spread = transitions[step], spreads[step].copy()
+        _multiply(transition, after, rows)
+        for i in range(moving):
+            for j in range(moving):
+                after[i, j] = _dot(rows[i], transition[j]) + noises[step, i, j]
+            for j in range(moving, size):
+                after[i, j] = rows[i, j]
+                after[j, i] = rows[i, j]
+        _multiply(observation, after, seen)
+        for i in range(many):
+            for j in range(many):
+                spread[i, j] += _dot(seen[i], observation[j])
+        if not _invert(spread, weights):
+            return False
+        for i in range(size):
+            for j in range(many):
+                total = 0.0
+                for k in range(many):
+                    total += seen[k, i] * weights[k, j]
+                gain[i, j] = total
+            for k in range(many):
+                factor = gain[i, k]
+                for j in range(size):
+                    after[i, j] -= factor * seen[k, j]
+        for i in range(size):
+            for j in range(i):
+                mean = 0.5 * (after[i, j] + after[j, i])
+                after[i, j] = mean
+                after[j, i] = mean
+            variances[step, i] = after[i, i]
+    return True
+
+
+@inlined
+def _multiply(a: Any, b: Any, found: Any) -> None:
+    """Product of matrices (m, n) and (n, k); the rows of the first are often nearly empty."""
+    found[:] = 0.0
+    for i in range(a.shape[0]):
+        for j in range(a.shape[1]):
+            factor = a[i, j]
+            if factor != 0.0:
+                for k in range(b.shape[1]):
+                    found[i, k] += factor * b[j, k]
+
+
+@inlined
+def _dot(a: Any, b: Any) -> float:
+    """Sum of products; in four parts, none of which waits for the others."""
+    total0, total1, total2, total3 = 0.0, 0.0, 0.0, 0.0
+    whole = len(a) - len(a) % 4
+    for k in range(0, whole, 4):
+        total0 += a[k] * b[k]
+        total1 += a[k + 1] * b[k + 1]
+        total2 += a[k + 2] * b[k + 2]
+        total3 += a[k + 3] * b[k + 3]
+    for k in range(whole, len(a)):
+        total0 += a[k] * b[k]
+    return (total0 + total1) + (total2 + total3)
+
+
+@inlined
+def _invert(matrix: Any, inverse: Any) -> bool:
+    """Gauss and Jordan with the largest pivots; says whether there were any. Spoils the matrix."""
+    size = len(matrix)
+    inverse[:] = 0.0
+    for i in range(size):
+        inverse[i, i] = 1.0
+    for column in range(size):
+        best = column
+        for i in range(column + 1, size):
+            if abs(matrix[i, column]) > abs(matrix[best, column]):
+                best = i
+        pivot = matrix[best, column]
+        if pivot == 0.0:
+            return False
+        for k in range(size):
+            chosen, other = matrix[best, k] / pivot, matrix[column, k]
+            matrix[best, k], matrix[column, k] = other, chosen
+            chosen, other = inverse[best, k] / pivot, inverse[column, k]
+            inverse[best, k], inverse[column, k] = other, chosen
+        for i in range(size):
+            factor = matrix[i, column]
+            if i != column and factor != 0.0:
+                for k in range(size):
+                    matrix[i, k] -= factor * matrix[column, k]
+                    inverse[i, k] -= factor * inverse[column, k]
+    return True
