@@ -22,7 +22,7 @@ from driftlab.imu import NO_ERRORS
 
 # Loops call these with what has been checked; they are public for who builds a filter of his own.
 CORES = {
-    *("felt_besides", "step_drift", "attitude_of_axes", "step_in_word"),
+    *("felt_besides", "attitude_of_axes", "step_in_word"),
     *("free_transition", "transition_of_increments", "process_noise"),
     *("dead_channels", "longest_run", "clipped_rows", "twin_channels"),
 }

@@ -29,7 +29,6 @@ from driftlab.attitude import (
     drift_on_cones,
     finite_precision,
     integration,
-    measured_drift,
     noise_amplification,
     own_algorithms,
     riccati,
@@ -177,7 +176,7 @@ CASES = {
         "frequency": TIME,
         "sample_interval": TIME,
     },
-    fixed(measured_drift.measured_coning_drift, algorithm="memory-4", count=4): {
+    fixed(drift_on_cones.measured_coning_drift, algorithm="memory-4", count=4): {
         "half_angle": PITCH,
         "frequency": TIME,
         "sample_interval": TIME,
@@ -301,7 +300,6 @@ CASES = {
 }
 # Tested where they belong.
 APART = {
-    drift_on_cones.checked_cone,  # tested with those whose arguments it checks
     turns_by_hand.hand_turns,  # one record, whose rests are its own
     missed_stops.near_turns,
     weighing_designs.fit_turns,  # its two arguments share an axis instead of broadcasting

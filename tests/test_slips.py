@@ -29,7 +29,7 @@ from support import helper_modules
 LET_THROUGH = {
     *("read_csv.name", "read_imu_tk.name", "read_psins.name"),  # the file's where nothing is said
     *("integrate.history", "step_quaternions.history", "step_vectors.history"),  # not always used
-    "convert_attitude_error.true_attitude",
+    *("convert_attitude_error.true_attitude", "attitude_algorithm.argument"),
     *("Algorithm.name", "Algorithm.order", "FunctionalIteration.name", "Recording.longest_gap"),
 }
 MAY_BE_EMPTY = ("rests", "axes")

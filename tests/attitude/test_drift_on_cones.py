@@ -4,10 +4,10 @@ import mpmath
 import numpy as np
 import pytest
 
-from driftlab.attitude._swing import largest_change
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.attitude.drift_on_cones import coning_drift, step_drift
+from driftlab.attitude.drift_on_cones import _largest_change, coning_drift
 from driftlab.attitude.integration import integrate
+from driftlab.core.coning import step_drift
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, to_rotation_vector
 from support import EPS, order_of
@@ -213,7 +213,7 @@ def test_an_error_about_a_leaning_axis_swings_as_the_turning_itself_shows(lean, 
     even = np.copysign(size, np.cos(lean))
     after += 2 * np.pi * np.round((begin - after[0]) / (2 * np.pi))
     expected = np.abs(drift + after - before - even).max()
-    found = largest_change(np.array(drift), np.array(size), np.array(size * np.cos(lean)))
+    found = _largest_change(np.array(drift), np.array(size), np.array(size * np.cos(lean)))
     assert found == pytest.approx(expected, abs=1e-6)
 
 
@@ -228,4 +228,4 @@ def test_a_function_with_two_steps_to_compare_is_told_that_they_are_too_few():
 
 def test_a_step_that_does_not_turn_changes_the_error_by_its_drift():
     drift = np.array([-0.5, 0.25])
-    np.testing.assert_array_equal(largest_change(drift, np.zeros(2), np.zeros(2)), np.abs(drift))
+    np.testing.assert_array_equal(_largest_change(drift, np.zeros(2), np.zeros(2)), np.abs(drift))

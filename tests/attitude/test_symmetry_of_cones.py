@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.attitude.drift_on_cones import coning_drift, step_drift
+from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.ch06_picard_algorithms.experiments import COMPARED, random_algorithm
 from driftlab.core.attitude import step_quaternions
-from driftlab.core.coning import cone_increments
+from driftlab.core.coning import cone_increments, step_drift
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import (
     conjugate,

@@ -5,7 +5,6 @@ from . import (
     finite_precision as finite_precision,
     functional_iteration as functional_iteration,
     integration as integration,
-    measured_drift as measured_drift,
     noise_amplification as noise_amplification,
     own_algorithms as own_algorithms,
     riccati as riccati,
@@ -23,52 +22,31 @@ from .coning_algorithms import (
     ALGORITHMS as ALGORITHMS,
     CONING_ALGORITHMS as CONING_ALGORITHMS,
     Algorithm as Algorithm,
-    Algorithms as Algorithms,
-    AnyAlgorithm as AnyAlgorithm,
-    AttitudeAlgorithm as AttitudeAlgorithm,
-    LastStage as LastStage,
-    Weights as Weights,
     attitude_algorithm as attitude_algorithm,
-    coning_algorithm as coning_algorithm,
-    named_algorithms as named_algorithms,
 )
 from .drift_on_cones import (
-    OWN_ROWS as OWN_ROWS,
     coning_drift as coning_drift,
-    step_drift as step_drift,
+    measured_coning_drift as measured_coning_drift,
 )
 from .finite_precision import (
     UPDATES as UPDATES,
-    Update as Update,
     integrate_in_word as integrate_in_word,
     step_in_word as step_in_word,
 )
-from .functional_iteration import (
-    WIDEST as WIDEST,
-    FunctionalIteration as FunctionalIteration,
-)
+from .functional_iteration import FunctionalIteration as FunctionalIteration
 from .integration import (
     integrate as integrate,
     step_quaternions as step_quaternions,
     step_vectors as step_vectors,
 )
-from .measured_drift import (
-    MEASURED_STEPS as MEASURED_STEPS,
-    measured_coning_drift as measured_coning_drift,
-)
 from .noise_amplification import (
-    NoiseGrowth as NoiseGrowth,
     correction_gains as correction_gains,
     noise_growth as noise_growth,
     step_noise_covariance as step_noise_covariance,
 )
-from .own_algorithms import (
-    OwnAlgorithm as OwnAlgorithm,
-    own_steps as own_steps,
-)
+from .own_algorithms import own_steps as own_steps
 from .riccati import (
     SWITCH as SWITCH,
-    RiccatiSolution as RiccatiSolution,
     integrate_riccati as integrate_riccati,
     riccati_rate as riccati_rate,
 )
@@ -76,6 +54,4 @@ from .sculling import (
     sculling_correction as sculling_correction,
     step_velocities as step_velocities,
 )
-from .spherical_area import (
-    solid_angle as solid_angle,
-)
+from .spherical_area import solid_angle as solid_angle

@@ -44,8 +44,7 @@ def cayley_transform(matrix: ArrayLike) -> FloatArray:
     Raises
     ------
     ValueError
-        If I + X is singular to rounding. An orthogonal X then has the eigenvalue -1; a skew X comes
-        near this only if it is itself nearly singular and has entries of about 1e15.
+        If I + X is singular to rounding, as for an orthogonal X with the eigenvalue -1.
 
     Examples
     --------
@@ -88,17 +87,9 @@ def skew_operator(vector: ArrayLike, dimension: int = 4) -> FloatArray:
     --------
     >>> skew_operator([0, 0, 1], 3) @ [0, 1, 0]
     array([1., 0., 0.])
-
-    Its Cayley transform is the matrix of the rotation, reference to body components:
-
-    >>> k = cayley_vector([0.5, 0.5, 0.5, 0.5], 3)
-    >>> cayley_transform(skew_operator(k, 3)).round(12) + 0.0
-    array([[0., 1., 0.],
-           [0., 0., 1.],
-           [1., 0., 0.]])
     """
     matrix = right_matrix(pure(finite_array(vector, "vector", 3)))
-    return matrix if _checked(dimension) == 4 else matrix[..., :3, :3]
+    return matrix if chosen_number(dimension, (3, 4), "dimension") == 4 else matrix[..., :3, :3]
 
 
 def cayley_vector(quaternion: ArrayLike, dimension: int = 4) -> FloatArray:
@@ -121,8 +112,7 @@ def cayley_vector(quaternion: ArrayLike, dimension: int = 4) -> FloatArray:
     Raises
     ------
     ValueError
-        Where k is infinite: at whole turns (dimension 4) or half turns (dimension 3). A quaternion
-        within rounding of such a turn has a finite vector, of a length of 1e15 or more.
+        Where k is infinite: at whole turns (dimension 4) or half turns (dimension 3).
 
     Examples
     --------
@@ -135,7 +125,7 @@ def cayley_vector(quaternion: ArrayLike, dimension: int = 4) -> FloatArray:
     """
     vector, scalar = np.split(unit_quaternions(quaternion, "quaternion"), [3], axis=-1)
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-        if _checked(dimension) == 3:
+        if chosen_number(dimension, (3, 4), "dimension") == 3:
             k = -vector / scalar
         else:
             sine = norms(vector)[..., np.newaxis]
@@ -166,12 +156,10 @@ def rotation_quaternion(vector: ArrayLike, dimension: int = 4) -> FloatArray:
 
     Notes
     -----
-    With the vector part first,
+    With the vector part first, for dimension 4 and for dimension 3
 
     .. math:: q = \frac{(-2 k,\; 1 - |k|^2)}{1 + |k|^2} \quad\text{or}\quad
-              q = \frac{(-k,\; 1)}{\sqrt{1 + |k|^2}}
-
-    for dimension 4 and for dimension 3.
+              q = \frac{(-k,\; 1)}{\sqrt{1 + |k|^2}}.
 
     Examples
     --------
@@ -181,7 +169,7 @@ def rotation_quaternion(vector: ArrayLike, dimension: int = 4) -> FloatArray:
     array([0.5, 0.5, 0.5, 0.5])
     """
     k = finite_array(vector, "vector", 3)
-    if _checked(dimension) == 4:
+    if chosen_number(dimension, (3, 4), "dimension") == 4:
         return core_rotation_quaternion(k)
     # Both are divided by the largest entry: its square may overflow.
     size = np.maximum(np.abs(k).max(axis=-1, keepdims=True), 1.0)
@@ -193,9 +181,6 @@ def rotation_quaternion(vector: ArrayLike, dimension: int = 4) -> FloatArray:
 def shadow(vector: ArrayLike) -> FloatArray:
     """Other Cayley vector of the same attitude, -k/|k|^2; dimension 4 only.
 
-    The shadow belongs to the rotation that reaches the attitude the other way round. Where k is
-    long its shadow is short, and conversely; both have length 1 at half a turn.
-
     Parameters
     ----------
     vector : array_like, shape (..., 3)
@@ -204,7 +189,8 @@ def shadow(vector: ArrayLike) -> FloatArray:
     Returns
     -------
     ndarray, shape (..., 3)
-        Its quaternion is minus that of `vector`.
+        Its quaternion is minus that of `vector`. Where k is long its shadow is short; both have
+        length 1 at half a turn.
 
     Raises
     ------
@@ -224,7 +210,3 @@ def shadow(vector: ArrayLike) -> FloatArray:
     if not np.isfinite(other).all():
         raise ValueError("vector: expected vectors with a finite shadow, got one too short.")
     return other
-
-
-def _checked(dimension: int) -> int:
-    return chosen_number(dimension, (3, 4), "dimension")

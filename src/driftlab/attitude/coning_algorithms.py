@@ -7,21 +7,19 @@ here is three choices: how many increments make a step, how the correction is es
 last stage: how corrected gamma becomes a quaternion.
 
 The copy of the paper at hand ends where section 2 begins. The algorithms below are derived in
-chapter 06 from what is left: `one-step-3`, `two-step-3` and `two-step-4` after the properties that
-the abstract announces, `picard-1` and `memory-4` beside them. They are a reconstruction and need
-not be the authors' own forms. The two rotation-vector algorithms are the usual alternative; the
-weights for three samples are Miller's (1983).
+chapter 06: `one-step-3`, `two-step-3` and `two-step-4` after the properties that the abstract
+announces, `picard-1` and `memory-4` beside them. They are a reconstruction and need not be the
+authors' own forms. The two rotation-vector algorithms are the usual alternative; the weights for
+three samples are Miller's (1983).
 
 In the names, the last number is the global order, except that `picard-1` is the first iterate and
-that the two rotation-vector algorithms count their samples. `CONING_ALGORITHMS` are these seven;
-`ALGORITHMS` has `functional-iteration` besides, which works without cross products. Wherever a name
-is taken, an `Algorithm` and one's own function are taken as well; what such a function is given and
-must return stands in `own_algorithms`.
+that the two rotation-vector algorithms count their samples. Wherever a name is taken, an
+`Algorithm` and one's own function as in `own_algorithms` are taken as well.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from operator import itemgetter
@@ -61,20 +59,19 @@ class Algorithm:
     last_stage : {"first iterate", "second iterate", "third iterate", "tangent", "rotation vector"}
         How the step's quaternion is made of its sum gamma and of f, which is gamma with the coning
         correction. The first four go by the Cayley vector k: the terms of a Picard iterate that
-        its order needs (the third has f and the cube of gamma), or ``"tangent"``, the first two
-        terms of -tan(|f|/4) f/|f|, which agree with the third iterate as far as its order goes.
-        ``"rotation vector"`` takes f for the rotation vector.
+        its order needs (the third has f and the cube of gamma), or the first two terms of
+        -tan(|f|/4) f/|f|. ``"rotation vector"`` takes f for the rotation vector.
     order : int
         Global order on a motion without symmetries: the error at a given time shrinks with this
-        power of the step. Derived in chapter 06.
+        power of the step.
     starts : tuple of Mapping
-        For algorithms with memory: the weights of the first steps, which have no increments before
-        them. They use the increments that follow; place 0 is the very first increment.
+        For algorithms with memory: the weights of the first steps, which use the increments that
+        follow; place 0 is the very first increment.
 
     Examples
     --------
-    A two-sample algorithm without coning correction, beside one that has it: drift in rad/s on a
-    cone of 0.01 rad at 5 Hz, sampled at 100 Hz.
+    Without and with a coning correction: drift in rad/s on a cone of 0.01 rad at 5 Hz, sampled at
+    100 Hz.
 
     >>> from driftlab.attitude import coning_drift
     >>> plain = Algorithm("plain", samples=2, memory=0, coning={}, last_stage="tangent", order=2)
@@ -115,14 +112,13 @@ class Algorithm:
                     "coning: expected weights of pairs of places such as {(0, 1): 2 / 3}, "
                     f"got {shown(weights)}."
                 )
-        for weights in (self.coning, *self.starts):
             if weights:
                 finite_array(list(weights.values()), "coning")
-        for i, j in (pair for weights in (self.coning, *self.starts) for pair in weights):
-            if not 0 <= i < j < self.window:
-                raise ValueError(
-                    f"coning: expected places 0 <= i < j < {self.window}, got {(i, j)}."
-                )
+            for i, j in weights:
+                if not 0 <= i < j < self.window:
+                    raise ValueError(
+                        f"coning: expected places 0 <= i < j < {self.window}, got {(i, j)}."
+                    )
         keep(self, coning=_kept(self.coning), starts=tuple(map(_kept, self.starts)))
 
     def __reduce__(self) -> tuple[type[Algorithm], tuple[object, ...]]:
@@ -132,18 +128,7 @@ class Algorithm:
 
     @property
     def window(self) -> int:
-        """Number of increments that one step uses.
-
-        Returns
-        -------
-        int
-            Samples plus memory.
-
-        Examples
-        --------
-        >>> CONING_ALGORITHMS["memory-4"].window
-        3
-        """
+        """Number of increments that one step uses: samples plus memory."""
         return self.samples + self.memory
 
     @cached_property
@@ -200,13 +185,8 @@ CONING_ALGORITHMS: Mapping[str, Algorithm] = MappingProxyType(
 """Algorithms with cross products by name, in the order of the tables of chapter 06."""
 
 AttitudeAlgorithm = Algorithm | FunctionalIteration
-"""An algorithm of either kind."""
-
 AnyAlgorithm = str | AttitudeAlgorithm | OwnAlgorithm
 """What may stand for an algorithm: a key of `ALGORITHMS`, an algorithm, or one's own function."""
-
-Algorithms = Mapping[str, AnyAlgorithm] | Iterable[str | AttitudeAlgorithm]
-"""What may stand for several: algorithms by name, or keys of `ALGORITHMS` and algorithms."""
 
 ALGORITHMS: Mapping[str, AttitudeAlgorithm] = MappingProxyType(
     {**CONING_ALGORITHMS, "functional-iteration": FunctionalIteration("functional-iteration")}
@@ -214,34 +194,28 @@ ALGORITHMS: Mapping[str, AttitudeAlgorithm] = MappingProxyType(
 """All algorithms by name: those with cross products, and functional iteration."""
 
 
-def attitude_algorithm(algorithm: AnyAlgorithm) -> AttitudeAlgorithm | OwnAlgorithm:
+def attitude_algorithm(
+    algorithm: AnyAlgorithm, argument: str = "algorithm"
+) -> AttitudeAlgorithm | OwnAlgorithm:
     """Return an algorithm by its name, or an algorithm itself.
 
     Parameters
     ----------
     algorithm : str or Algorithm or FunctionalIteration or callable
         A key of `ALGORITHMS`, a custom algorithm, or a function as in `own_algorithms`.
+    argument : str
+        Its name in a refusal.
 
     Returns
     -------
     Algorithm or FunctionalIteration or callable
         The one of that name, or `algorithm` unchanged.
 
-    Raises
-    ------
-    ValueError
-        If the name is unknown, or `algorithm` is none of these.
-
     Examples
     --------
     >>> attitude_algorithm("rotation-vector-3").samples
     3
     """
-    return _known(algorithm, "algorithm")
-
-
-def _known(algorithm: AnyAlgorithm, argument: str) -> AttitudeAlgorithm | OwnAlgorithm:
-    """As `attitude_algorithm`, for an argument of any name."""
     if isinstance(algorithm, AttitudeAlgorithm):
         return algorithm
     # A class can be called too, but what it makes is no attitude.
@@ -255,80 +229,8 @@ def _known(algorithm: AnyAlgorithm, argument: str) -> AttitudeAlgorithm | OwnAlg
     return ALGORITHMS[algorithm]
 
 
-def named_algorithms(algorithms: Algorithms) -> dict[str, AttitudeAlgorithm | OwnAlgorithm]:
-    """Return several algorithms by their names.
-
-    Parameters
-    ----------
-    algorithms : mapping or iterable
-        Algorithms by name, as one likes to call them; or keys of `ALGORITHMS` and algorithms that
-        have names.
-
-    Returns
-    -------
-    dict
-        In the same order.
-
-    Raises
-    ------
-    ValueError
-        If one is unknown, or a function has no name.
-
-    Examples
-    --------
-    >>> mine = {"mine": lambda g: g, "two-step-4": "two-step-4"}
-    >>> list(named_algorithms(mine)), list(named_algorithms(["picard-1", "memory-4"]))
-    (['mine', 'two-step-4'], ['picard-1', 'memory-4'])
-    """
-    if isinstance(algorithms, Mapping):
-        return {str(name): _known(one, "algorithms") for name, one in algorithms.items()}
-    if isinstance(algorithms, str) or not isinstance(algorithms, Iterable):
-        raise ValueError(
-            "algorithms: expected several names, or a mapping from names to algorithms, "
-            f"got {shown(algorithms)}."
-        )
-    found: dict[str, AttitudeAlgorithm | OwnAlgorithm] = {}
-    for one in algorithms:
-        algorithm = _known(one, "algorithms")
-        if not isinstance(algorithm, AttitudeAlgorithm):
-            raise ValueError('algorithms: expected a name with a function, as {"mine": function}.')
-        found[algorithm.name] = algorithm
-    return found
-
-
-def coning_algorithm(algorithm: AnyAlgorithm) -> Algorithm:
-    """Return an algorithm with cross products by its name, or such an algorithm itself.
-
-    Parameters
-    ----------
-    algorithm : str or Algorithm
-        A key of `CONING_ALGORITHMS`, or a custom algorithm.
-
-    Returns
-    -------
-    Algorithm
-        The one of that name, or `algorithm` unchanged.
-
-    Raises
-    ------
-    ValueError
-        If the name is unknown, or the algorithm has no cross products, or is a function, in which
-        they cannot be read.
-
-    References
-    ----------
-    - R. B. Miller, *A new strapdown attitude algorithm*, Journal of Guidance, Control, and Dynamics
-      6(4), 1983.
-    - M. B. Ignagni, *Efficient class of optimized coning compensation algorithms*, Journal of
-      Guidance, Control, and Dynamics 19(2), 1996.
-
-    Examples
-    --------
-    >>> coning_algorithm("functional-iteration")
-    Traceback (most recent call last):
-        ...
-    ValueError: algorithm: expected one with cross products, got functional-iteration.
-    """
+def _coning_algorithm(algorithm: AnyAlgorithm) -> Algorithm:
+    """The algorithm with cross products of that name, or such an algorithm itself."""
     chosen = attitude_algorithm(algorithm)
     if isinstance(chosen, FunctionalIteration):
         raise ValueError(f"algorithm: expected one with cross products, got {chosen.name}.")

@@ -3,9 +3,7 @@
 Perelyaev and Chelnokov remark, at the end of section 1, that the scalar part l0 of a step's
 quaternion is so close to 1 that a short word loses the difference, and advise to use 1 - l0
 instead. Here all arithmetic runs in the requested precision, in the order in which an on-board
-computer would do it, so that the advice can be compared with its alternatives: with a rounding
-after each product and each sum, or with fused multiply-add; with and without a division by the
-length after each step.
+computer would do it, so that the advice can be compared with its alternatives.
 """
 
 from __future__ import annotations
@@ -92,25 +90,20 @@ def integrate_in_word(
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad.
     algorithm : str or Algorithm or FunctionalIteration or callable
-        As in `driftlab.attitude.integrate`. One's own function computes in words of its own; only
-        its steps are rounded.
+        As in `driftlab.attitude.integrate`. Of one's own function only the steps are rounded.
     start : array_like or Rotation, shape (..., 4)
         Attitude before the first increment; brought to unit norm.
     word : dtype
         Precision of the computation: float16, float32 or float64.
     update : {"product", "small terms first", "complement", "compensated"}
-        Order of summation. Each new component is a sum of four products, a large one with the
-        scalar part l0 of the step and three small ones.
-        ``"product"`` adds the first two, the last two, and the sums.
-        ``"small terms first"`` adds the three small ones first.
-        ``"complement"`` adds to the old component the three small ones and the product with
-        -(1 - l0), as the paper advises.
-        ``"compensated"`` does the same and carries the rounding error of this last sum into the
-        next step (Kahan summation).
+        Order of summation of the four products in a component: a large one with the scalar part l0
+        of the step and three small ones. ``"product"`` adds the first two, the last two, and the
+        sums. ``"complement"`` adds to the old component the three small ones and the product with
+        -(1 - l0), as the paper advises; ``"compensated"`` also carries the rounding error of this
+        last sum into the next step (Kahan summation).
     fused : bool
         Whether the four products of a component are added by fused multiply-add, which rounds a
-        product and the sum that it joins once, together. The step's own quaternion is computed
-        without. Not with words of 64 bits, whose products double precision does not hold.
+        product and the sum that it joins once. Not with words of 64 bits.
     normalise : bool
         Whether the attitude is divided by its length after each step.
 
@@ -122,12 +115,7 @@ def integrate_in_word(
     Raises
     ------
     ValueError
-        If `update`, `word` or the algorithm is unknown, if `fused` is wanted with words of 64 bits,
-        and as in `driftlab.attitude.integrate`.
-
-    Notes
-    -----
-    Perelyaev & Chelnokov, remark at the end of section 1.
+        If `fused` is wanted with words of 64 bits, and as in `driftlab.attitude.integrate`.
 
     Examples
     --------

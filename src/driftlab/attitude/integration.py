@@ -37,20 +37,18 @@ def integrate(
     Parameters
     ----------
     increments : array_like, shape (..., n, 3)
-        Integrals of the body rate over equal intervals, rad, in the order in which they happen.
-        They must be true integrals, as from an integrating gyro. Sampled rates times the interval
-        are not: they lose the coning between two samples, see chapter 06. For these there is
-        `driftlab.sampled_rates.increments_from_rates`.
+        Integrals of the body rate over equal intervals, rad, in the order in which they happen,
+        as from an integrating gyro. Sampled rates times the interval lose the coning between two
+        samples, see chapter 06; for these there is `increments_from_rates`.
     algorithm : str or Algorithm or FunctionalIteration or callable
         A key of `ALGORITHMS`, a custom algorithm, or one's own function as in `own_algorithms`.
     start : array_like or Rotation, shape (..., 4)
         Attitude before the first increment; brought to unit norm.
     history : array_like, shape (..., m, 3), optional
-        The increments before the first, rad, at least as many as the algorithm's memory; earlier
-        ones are ignored, and so is any history if the algorithm has no memory. Without it an
-        algorithm with memory starts by a formula of the same order that uses the increments that
-        follow. One's own function is handed history and increments together, and its steps of the
-        history, which must be whole, are left out.
+        The increments before the first, rad, at least as many as the algorithm's memory. Without
+        it an algorithm with memory starts by a formula of the same order that uses the increments
+        that follow. One's own function is handed history and increments together, and its steps
+        of the history, which must be whole, are left out.
 
     Returns
     -------
@@ -65,7 +63,7 @@ def integrate(
         start without a history, or (unless the rotation vector is used) turn by a whole turn in one
         step. All algorithms are meant for steps that turn by much less than 1 rad. Functional
         iteration refuses fewer increments than a window has, and such that it does not settle on.
-        Of one's own function all that `own_steps` refuses.
+        What one's own function returns is checked as in `own_algorithms`.
 
     Warns
     -----
@@ -88,17 +86,14 @@ def integrate(
         \cos\frac{|\varphi_k|}{2} \right).
 
     An algorithm in quaternions or Cayley vectors makes the factor on the right directly.
-
-    Functional iteration gives an attitude after every increment. If the last window is not full,
-    it is moved back until it is: any number of increments from one window on will do. A stream that
-    is handed over in whole windows gives the same attitudes as all at once.
+    Functional iteration gives an attitude after every increment. If the last window is not full, it
+    is moved back until it is. A stream that is handed over in whole windows gives the same
+    attitudes as all at once.
 
     References
     ----------
     - P. G. Savage, *Strapdown inertial navigation integration algorithm design, part 1: Attitude
       algorithms*, Journal of Guidance, Control, and Dynamics 21(1), 1998.
-    - R. B. Miller, *A new strapdown attitude algorithm*, Journal of Guidance, Control, and Dynamics
-      6(4), 1983.
     - M. B. Ignagni, *Efficient class of optimized coning compensation algorithms*, Journal of
       Guidance, Control, and Dynamics 19(2), 1996.
     - J. E. Bortz, *A new mathematical formulation for strapdown inertial navigation*, IEEE
@@ -188,8 +183,8 @@ def step_vectors(
     history : array_like, shape (..., m, 3), optional
         The increments before the first, rad; as in `integrate`.
     word : dtype
-        Precision of the computation: float16, float32 or float64. The increments are rounded to it
-        first. One's own function is given them in float64, and its steps are rounded.
+        Precision of the computation: float16, float32 or float64. One's own function is given
+        increments in float64 that are rounded to it, and its steps are rounded.
 
     Returns
     -------

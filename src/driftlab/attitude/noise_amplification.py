@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_array
 
-from .coning_algorithms import Algorithm, coning_algorithm
+from .coning_algorithms import Algorithm, _coning_algorithm
 
 
 class NoiseGrowth(NamedTuple):
@@ -23,11 +23,9 @@ class NoiseGrowth(NamedTuple):
 
     Attributes
     ----------
-    white : ndarray, shape (...)
-        In units of the variance of independent noise on each increment.
-    carried : ndarray, shape (...)
-        In units of the variance of the rounding, if each increment is rounded and what is cut off
-        is carried over to the next.
+    white, carried : ndarray, shape (...)
+        In units of the variance of independent noise on each increment, and of that of rounding
+        whose error is carried over to the next increment.
     """
 
     white: FloatArray
@@ -40,7 +38,7 @@ def correction_gains(algorithm: str | Algorithm) -> FloatArray:
     Parameters
     ----------
     algorithm : str or Algorithm
-        A key of `driftlab.attitude.CONING_ALGORITHMS`, or a custom algorithm.
+        A key of `CONING_ALGORITHMS`, or a custom algorithm.
 
     Returns
     -------
@@ -52,7 +50,7 @@ def correction_gains(algorithm: str | Algorithm) -> FloatArray:
     >>> correction_gains("rotation-vector-3").round(3)
     array([-1.125,  0.   ,  1.125])
     """
-    chosen = coning_algorithm(algorithm)
+    chosen = _coning_algorithm(algorithm)
     gains = np.zeros(chosen.window)
     for (i, j), weight in chosen.coning.items():
         gains[i] -= weight
@@ -78,12 +76,10 @@ def step_noise_covariance(algorithm: str | Algorithm, turn: ArrayLike) -> FloatA
 
     Examples
     --------
-    A tenth of a radian a sample about the third axis, two samples a step:
-
     >>> np.diag(step_noise_covariance("two-step-4", [0.0, 0.0, 0.1])).round(4)
     array([2.0089, 2.0089, 2.    ])
     """
-    chosen = coning_algorithm(algorithm)
+    chosen = _coning_algorithm(algorithm)
     angle = finite_array(turn, "turn", 3)
     square = np.sum(angle**2, axis=-1)[..., np.newaxis, np.newaxis]
     across = square * np.eye(3) - angle[..., :, np.newaxis] * angle[..., np.newaxis, :]
@@ -104,6 +100,7 @@ def noise_growth(algorithm: str | Algorithm, sample_angle: ArrayLike) -> NoiseGr
     Returns
     -------
     NoiseGrowth
+        `white` and `carried`.
 
     Notes
     -----
@@ -111,9 +108,8 @@ def noise_growth(algorithm: str | Algorithm, sample_angle: ArrayLike) -> NoiseGr
     after s samples arrives turned by e^(i s θ); one of its rotation vector m θ counts times
     j = (e^(i m θ) - 1)/(i m θ). So the noise of an increment arrives multiplied by the sum of
     e^(i s θ) j (1 + i b θ) over the steps that use it, where 1 stands for those that it belongs to.
-    White noise adds up by the squares of these numbers; rounding that is carried over enters two
-    neighbours with opposite signs, and adds up by the squares of their differences. The rotation is
-    taken for that of the rotation vector f; other last stages differ by their error.
+    White noise adds up by the squares of these numbers, rounding that is carried over by the
+    squares of their differences. Last stages other than the rotation vector differ by their error.
 
     Examples
     --------
@@ -121,7 +117,7 @@ def noise_growth(algorithm: str | Algorithm, sample_angle: ArrayLike) -> NoiseGr
     >>> print(f"{growth.white:.5f} {growth.carried:.5f}")
     1.00110 0.01110
     """
-    chosen = coning_algorithm(algorithm)
+    chosen = _coning_algorithm(algorithm)
     theta = np.asarray(finite_array(sample_angle, "sample_angle"))[..., np.newaxis]
     gains, m = correction_gains(chosen), chosen.samples
     # e^(ix) - 1 over ix is a turn by x/2 times sin(x/2)/(x/2).

@@ -15,14 +15,11 @@ The usual two-sample algorithm is one line of the second kind::
         return g[0::2] + g[1::2] + 2 / 3 * np.cross(g[0::2], g[1::2])
 
 Records of several runs are handed over one by one. What comes back is checked for its shape, its
-length and its numbers, and against the increments themselves. In steps short enough for an
-algorithm, good or poor, to stay near the sums of its increments, an answer far from them is refused
-if it is one of these slips: degrees, scalar first, attitudes that map the other way or are those of
-single steps, rotation vectors of the opposite sign or since the start, and tan(phi/4) e of either
-sign. Long steps are believed, and so is what might be a bad algorithm: tan(phi/2) e, which is half
-of what it should be, and permuted axes.
-
-Numbers may be of single precision, but `driftlab.attitude.coning_drift` needs all digits.
+length and its numbers, and against the increments themselves. An answer far from the sums of the
+increments is refused in short steps if it is one of these slips: degrees, scalar first, attitudes
+that map the other way or are those of single steps, rotation vectors of the opposite sign or since
+the start, and tan(phi/4) e of either sign. Numbers may be of single precision, but
+`driftlab.attitude.coning_drift` needs all digits.
 """
 
 from __future__ import annotations
@@ -57,17 +54,8 @@ def own_steps(algorithm: OwnAlgorithm, increments: ArrayLike) -> FloatArray:
     ndarray, shape (..., m, 4)
         Body axes at the end of each step to those at its beginning; m divides n.
 
-    Raises
-    ------
-    ValueError
-        If the function answers something else than attitudes or rotation vectors after every k-th
-        increment, numbers that are not finite, quaternions whose length is not one, or rotations
-        that are those of the increments but for a common slip.
-
     Examples
     --------
-    The sum of two increments, without a correction for coning:
-
     >>> own_steps(lambda g: g[0::2] + g[1::2], np.full((4, 3), 0.01)).round(4)
     array([[0.01  , 0.01  , 0.01  , 0.9999],
            [0.01  , 0.01  , 0.01  , 0.9999]])

@@ -1,9 +1,8 @@
 """Sculling: what velocity increments lose while the body turns, by the weights of coning.
 
-Where a body swings about one axis and is shaken along another at the same frequency, the push that
-the accelerometers sum up points another way at each moment, and a part of it does not average out.
-The correction is the coning correction with one increment of angle in each product replaced by one
-of velocity (Savage 1998).
+Where a body swings about one axis and is shaken along another at the same frequency, a part of the
+force does not average out. The correction is the coning correction with one increment of angle in
+each product replaced by one of velocity (Savage 1998).
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from driftlab.checks import FloatArray, finite_array, finite_arrays
 from driftlab.core import sculling as core
 from driftlab.core.coning import ConingSteps
 
-from .coning_algorithms import Algorithm, coning_algorithm
+from .coning_algorithms import Algorithm, _coning_algorithm
 
 
 def sculling_correction(
@@ -75,16 +74,10 @@ def step_velocities(
 
     Examples
     --------
-    A quarter turn about the third axis while a constant force acts along the body's first: the
-    chord of a quarter of a circle, 2/pi of the push along each of the two axes.
+    A constant force along the first axis of a body that turns about its third:
 
-    >>> import numpy as np
-    >>> from driftlab.attitude import integrate
-    >>> from driftlab.quaternion import rotate
-    >>> turn, push = np.tile([0, 0, np.pi / 400], (200, 1)), np.tile([1 / 200, 0, 0], (200, 1))
-    >>> before = np.concatenate([[[0, 0, 0, 1]], integrate(turn)[:-1]])
-    >>> rotate(before, step_velocities(turn, push)).sum(axis=0).round(6)
-    array([0.63662, 0.63662, 0.     ])
+    >>> step_velocities([[0, 0, 0.05], [0, 0, 0.05]], [[1, 0, 0], [1, 0, 0]]).round(4)
+    array([[1.9967, 0.0999, 0.    ]])
     """
     return core.velocity_of_steps(*_checked(angle, velocity, algorithm))
 
@@ -92,7 +85,7 @@ def step_velocities(
 def _checked(
     angle: ArrayLike, velocity: ArrayLike, algorithm: str | Algorithm
 ) -> tuple[ConingSteps, FloatArray, FloatArray]:
-    chosen = coning_algorithm(algorithm)
+    chosen = _coning_algorithm(algorithm)
     if chosen.memory:
         raise ValueError(f"algorithm: expected one without memory, got {chosen.name}.")
     angles, velocities = finite_array(angle, "angle", 3), finite_array(velocity, "velocity", 3)

@@ -30,18 +30,14 @@ def solid_angle(directions: ArrayLike) -> FloatArray:
     Returns
     -------
     ndarray, shape (...)
-        Steradians, from -2 pi to 2 pi; positive if the inside lies to the left for one who walks
-        along on the sphere. It is known up to the whole sphere, 4 pi.
+        Steradians, from -2 pi to 2 pi, known up to the whole sphere, 4 pi; positive if the inside
+        lies to the left of the path as seen from outside.
 
     Raises
     ------
     ValueError
-        If a direction has no length, if there are fewer than three of them, or if two neighbours
-        are opposite, which any great circle through them would join.
-
-    See Also
-    --------
-    driftlab.attitude.coning_drift : What an algorithm loses of it.
+        If a direction has no length, there are fewer than three of them, or two neighbours are
+        opposite.
 
     References
     ----------

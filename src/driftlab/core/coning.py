@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
+from .quaternion import from_rotation_vector, multiply
+
 
 class ConingSteps(NamedTuple):
     """An attitude algorithm with cross products g_i × g_j of increments, as numbers.
@@ -42,3 +44,26 @@ def cone_increments(half_angle: FloatArray, around: FloatArray, phase: FloatArra
     along = -2 * around * np.sin(half_angle / 2) ** 2
     parts = np.broadcast_arrays(-chord * np.sin(phase), chord * np.cos(phase), along)
     return np.stack(parts, axis=-1)
+
+
+def step_drift(step: FloatArray, half_angle: FloatArray, step_angle: FloatArray) -> FloatArray:
+    """Drift (...) of a step about the cone's axis, rad, from its quaternion (..., 4) at phase zero.
+
+    `half_angle` and `step_angle`, how far the cone goes round in the step, are in rad.
+    """
+    axis = np.stack([np.zeros_like(step_angle), np.zeros_like(step_angle), step_angle], axis=-1)
+    turned = multiply(step, from_rotation_vector(axis))
+    sine = np.copysign(np.linalg.norm(turned[..., :3], axis=-1), along_axis(turned, half_angle))
+    cosine = turned[..., 3]
+    expected_sine, expected_cosine = np.sin(step_angle / 2), np.cos(step_angle / 2)
+    # The difference of two half angles, without taking either.
+    half = np.arctan2(
+        sine * expected_cosine - cosine * expected_sine,
+        cosine * expected_cosine + sine * expected_sine,
+    )
+    return np.remainder(2 * half + np.pi, 2 * np.pi) - np.pi
+
+
+def along_axis(vector: FloatArray, half_angle: FloatArray) -> FloatArray:
+    """Part (...) about the cone's axis, in the body at phase zero."""
+    return np.asarray(np.sin(half_angle) * vector[..., 1] + np.cos(half_angle) * vector[..., 2])

@@ -9,10 +9,9 @@ from scipy.special import factorial, factorial2
 from scipy.stats import chi2, gmean
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS, CONING_ALGORITHMS, Algorithm
-from driftlab.attitude.drift_on_cones import coning_drift
+from driftlab.attitude.drift_on_cones import coning_drift, measured_coning_drift
 from driftlab.attitude.finite_precision import UPDATES, integrate_in_word, step_in_word
 from driftlab.attitude.integration import integrate
-from driftlab.attitude.measured_drift import measured_coning_drift
 from driftlab.attitude.noise_amplification import noise_growth
 from driftlab.book import figures
 from driftlab.book.ch06_picard_algorithms.experiments import (

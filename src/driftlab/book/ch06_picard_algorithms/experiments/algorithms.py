@@ -1,23 +1,27 @@
 """Errors of the attitude algorithms on motions whose attitude is known, and their orders."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
 from driftlab.attitude.coning_algorithms import (
     CONING_ALGORITHMS,
     Algorithm,
-    Algorithms,
     AnyAlgorithm,
-    named_algorithms,
+    AttitudeAlgorithm,
+    attitude_algorithm,
 )
 from driftlab.attitude.finite_precision import integrate_in_word
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import step_quaternions
+from driftlab.attitude.own_algorithms import OwnAlgorithm
 from driftlab.book.machinery.figure.data_table import DataTable
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, shown
 from driftlab.motion.profiles import Coning, FixedAxis, Motion, Sway
 from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle
+
+Algorithms = Mapping[str, AnyAlgorithm] | Iterable[str | AttitudeAlgorithm]
+"""What may stand for several: algorithms by name, or keys of `ALGORITHMS` and algorithms."""
 
 DURATION = 2.0
 """Of the motion, s."""
@@ -40,6 +44,26 @@ ORDER_MOTIONS: dict[str, Motion] = {
     "fixed axis, 57° and 57°/s, 0.5 Hz": FixedAxis(1.0, 0.5),
 }
 """Motions that show the orders, and motions that hide them."""
+
+
+def named_algorithms(algorithms: Algorithms) -> dict[str, AttitudeAlgorithm | OwnAlgorithm]:
+    """Several algorithms by their names, in the same order; a function needs a name with it."""
+    if isinstance(algorithms, Mapping):
+        return {
+            str(name): attitude_algorithm(one, "algorithms") for name, one in algorithms.items()
+        }
+    if isinstance(algorithms, str) or not isinstance(algorithms, Iterable):
+        raise ValueError(
+            "algorithms: expected several names, or a mapping from names to algorithms, "
+            f"got {shown(algorithms)}."
+        )
+    found: dict[str, AttitudeAlgorithm | OwnAlgorithm] = {}
+    for one in algorithms:
+        algorithm = attitude_algorithm(one, "algorithms")
+        if not isinstance(algorithm, AttitudeAlgorithm):
+            raise ValueError('algorithms: expected a name with a function, as {"mine": function}.')
+        found[algorithm.name] = algorithm
+    return found
 
 
 def algorithm_errors(

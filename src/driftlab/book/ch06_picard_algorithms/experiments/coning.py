@@ -7,17 +7,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
-from driftlab.attitude.coning_algorithms import (
-    CONING_ALGORITHMS,
-    Algorithms,
-    AnyAlgorithm,
-    named_algorithms,
-)
-from driftlab.attitude.drift_on_cones import coning_drift
-from driftlab.attitude.measured_drift import measured_coning_drift
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, AnyAlgorithm
+from driftlab.attitude.drift_on_cones import coning_drift, measured_coning_drift
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, finite_number, positive_number, whole_number
 from driftlab.motion.profiles import Coning
+
+from .algorithms import Algorithms, named_algorithms
 
 _Drift = Callable[[AnyAlgorithm, ArrayLike, ArrayLike, ArrayLike], FloatArray]
 

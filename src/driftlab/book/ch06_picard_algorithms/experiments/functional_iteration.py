@@ -7,7 +7,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
-from driftlab.attitude.coning_algorithms import Algorithms, AnyAlgorithm, named_algorithms
+from driftlab.attitude.coning_algorithms import AnyAlgorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import integrate
@@ -26,6 +26,8 @@ from driftlab.quaternion import (
     to_rotation_vector,
 )
 from driftlab.sampled_rates import increments_from_rates
+
+from .algorithms import Algorithms, named_algorithms
 
 WIDE_BRACKET = Coning(float(np.radians(10.0)), 5.0)
 """The bracket of the puzzle, tilted ten times as far."""

@@ -8,11 +8,10 @@ import numpy as np
 
 import driftlab
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.attitude.drift_on_cones import step_drift
 from driftlab.attitude.integration import integrate
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, whole_number
-from driftlab.core.coning import cone_increments
+from driftlab.core.coning import cone_increments, step_drift
 from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle
 
 from .random_motion import random_increments

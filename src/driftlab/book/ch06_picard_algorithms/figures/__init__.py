@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from driftlab.attitude.measured_drift import MEASURED_STEPS
+from driftlab.attitude.drift_on_cones import MEASURED_STEPS
 from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
