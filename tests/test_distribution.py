@@ -201,7 +201,7 @@ def test_every_example_of_the_installed_package_runs(installed: Installed) -> No
     options = ("-q", "-p", "no:cacheprovider", "--pyargs", "driftlab", "--doctest-modules")
     done = run(*(installed.python, "-m", "pytest", *options), cwd=installed.away, path=pytest_alone)
     passed = re.search(r"^(\d+) passed in", done.stdout, re.MULTILINE)
-    assert int(passed[1]) > 300  # all modules were looked through
+    assert int(passed[1]) > 150  # all modules were looked through
 
 
 def test_numeric_tests_of_the_source_distribution_pass_on_the_installed_package(
