@@ -50,9 +50,7 @@ from driftlab.drift import (
     characteristic_equation,
     closed_motion,
     error_kinematics,
-    missed_stops,
     recorded_turns,
-    step_formulas,
     systematic_drift,
     turn_calibration,
     turns_by_hand,
@@ -110,13 +108,7 @@ CASES = {
     error_kinematics.rate_matrix: {"rate": RATE},
     error_kinematics.error_composition_matrix: {"attitude": Q},
     error_kinematics.error_rate_matrix: {"rate": RATE, "measured_rate": MEASURED},
-    error_kinematics.attitude_quaternion: {"rate": RATE, "time": TIME},
     error_kinematics.error_quaternion: {"rate": RATE, "measured_rate": MEASURED, "time": TIME},
-    error_kinematics.error_transition_matrix: {
-        "rate": RATE,
-        "measured_rate": MEASURED,
-        "time": TIME,
-    },
     triad.triad_matrix: {"triad_error": BENT},
     triad.measured_rate: {"rate": RATE, "triad_error": BENT},
     characteristic_equation.characteristic_polynomial: {"rate": RATE, "measured_rate": MEASURED},
@@ -124,7 +116,6 @@ CASES = {
     characteristic_equation.asymptotic_roots: {"rate": RATE, "triad_error": BENT},
     vectors.direction_from_angles: {"azimuth": TIME, "elevation": TIME},
     systematic_drift.drift_coefficient: {"direction": RATE, "triad_error": BENT},
-    systematic_drift.exact_drift_coefficient: {"direction": RATE, "triad_error": BENT},
     systematic_drift.drift_per_turn: {"direction": RATE, "triad_error": BENT},
     characteristic_equation.split_error_rate_matrix: {"rate": RATE, "measured_rate": MEASURED},
     triad.non_orthogonality: {"triad_error": BENT},
@@ -139,7 +130,7 @@ CASES = {
         "table_rate": TIME,
         "table_axis": RATE,
     },
-    step_formulas.integrate_steps: {"increments": INCREMENTS},
+    turn_calibration.TurnExperiment().integrate: {"increments": INCREMENTS},
     recorded_turns.recorded_turn_estimate: {
         "increments": np.tile([0.0, 0.0, 1.0], (6, 1)),
         "axis": np.array([0.0, 0.0, 2.0]),
@@ -301,7 +292,7 @@ CASES = {
 # Tested where they belong.
 APART = {
     turns_by_hand.hand_turns,  # one record, whose rests are its own
-    missed_stops.near_turns,
+    turns_by_hand.near_turns,
     weighing_designs.fit_turns,  # its two arguments share an axis instead of broadcasting
     # Their increments must close, bent a little they do not.
     closed_motion.drift_per_motion,

@@ -6,8 +6,13 @@ import numpy as np
 import pytest
 from scipy.stats import t
 
-from driftlab.drift.missed_stops import near_turns
-from driftlab.drift.turns_by_hand import HandTurn, HandTurnFit, fit_hand_turns, hand_turns
+from driftlab.drift.turns_by_hand import (
+    HandTurn,
+    HandTurnFit,
+    fit_hand_turns,
+    hand_turns,
+    near_turns,
+)
 
 REST = np.zeros((40, 3))
 

@@ -2,7 +2,6 @@ from . import (
     characteristic_equation as characteristic_equation,
     closed_motion as closed_motion,
     error_kinematics as error_kinematics,
-    missed_stops as missed_stops,
     recorded_turns as recorded_turns,
     step_formulas as step_formulas,
     systematic_drift as systematic_drift,
@@ -21,30 +20,16 @@ from .closed_motion import (
     exact_drift_per_motion as exact_drift_per_motion,
 )
 from .error_kinematics import (
-    attitude_quaternion as attitude_quaternion,
     error_composition_matrix as error_composition_matrix,
     error_quaternion as error_quaternion,
     error_rate_matrix as error_rate_matrix,
-    error_transition_matrix as error_transition_matrix,
     rate_matrix as rate_matrix,
 )
-from .missed_stops import (
-    NearTurn as NearTurn,
-    near_turns as near_turns,
-)
-from .recorded_turns import (
-    recorded_turn_estimate as recorded_turn_estimate,
-)
-from .step_formulas import (
-    STEP_FORMULAS as STEP_FORMULAS,
-    StepFormula as StepFormula,
-    integrate_steps as integrate_steps,
-    step_formula as step_formula,
-)
+from .recorded_turns import recorded_turn_estimate as recorded_turn_estimate
+from .step_formulas import STEP_FORMULAS as STEP_FORMULAS
 from .systematic_drift import (
     drift_coefficient as drift_coefficient,
     drift_per_turn as drift_per_turn,
-    exact_drift_coefficient as exact_drift_coefficient,
     principal_drifts as principal_drifts,
 )
 from .turn_calibration import (
@@ -55,14 +40,13 @@ from .turn_calibration import (
 )
 from .turns_by_hand import (
     HandTurn as HandTurn,
-    HandTurnFit as HandTurnFit,
     fit_hand_turns as fit_hand_turns,
     hand_turns as hand_turns,
+    near_turns as near_turns,
 )
 from .weighing_designs import (
     PAIR_AXES as PAIR_AXES,
     YATES_AXES as YATES_AXES,
-    TurnFit as TurnFit,
     fit_turns as fit_turns,
     weighing as weighing,
 )

@@ -13,14 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_array, finite_arrays
-from driftlab.core.quaternion import (
-    conjugate,
-    from_rotation_vector,
-    left_matrix,
-    multiply,
-    pure,
-    right_matrix,
-)
+from driftlab.core.quaternion import conjugate, left_matrix, multiply, pure, right_matrix
 from driftlab.core.vectors import norms
 
 
@@ -94,38 +87,14 @@ def error_rate_matrix(rate: ArrayLike, measured_rate: ArrayLike) -> FloatArray:
     return right_matrix(pure(measured_rate)) - left_matrix(pure(rate))
 
 
-def attitude_quaternion(rate: ArrayLike, time: ArrayLike) -> FloatArray:
-    """Attitude under a constant rate: the exact solution of Larin (1.1) from [0, 0, 0, 1].
-
-    Parameters
-    ----------
-    rate : array_like, shape (..., 3)
-        Angular rate in body axes, rad/s. With the measured rate the result solves Larin (1.2).
-    time : array_like, shape (...)
-        s; broadcasts against the leading axes of the rate.
-
-    Returns
-    -------
-    ndarray, shape (..., 4)
-        Unit quaternions, body to reference.
-
-    Examples
-    --------
-    >>> attitude_quaternion([0, 0, np.pi], [0.0, 0.5]).round(4)
-    array([[0. , 0. , 0. , 1. ],
-           [0. , 0. , 0.7071, 0.7071]])
-    """
-    rate, time = finite_arrays(rate=(rate, 3), time=(time,))
-    return from_rotation_vector(rate * time[..., np.newaxis])
-
-
 def error_quaternion(rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike) -> FloatArray:
     r"""Error quaternion for constant rates: the exact solution of Larin (1.4) from [0, 0, 0, 1].
 
     Parameters
     ----------
     rate, measured_rate : array_like, shape (..., 3)
-        True and measured angular rate in body axes, rad/s.
+        True and measured angular rate in body axes, rad/s. Of a triad whose errors are known,
+        `driftlab.triad.measured_rate` gives the latter.
     time : array_like, shape (...)
         Times in s; broadcasts against the leading axes of the rates.
 
@@ -140,9 +109,6 @@ def error_quaternion(rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike)
 
     .. math:: \lambda_e = (\cos a - n \sin a) \circ (\cos b + \hat n \sin b).
 
-    In the expanded product four products of a sine and a cosine multiply four constant quaternions,
-    so a long row of times costs one small matrix product.
-
     Examples
     --------
     A scale-factor error of 0.1 % after one whole turn:
@@ -150,17 +116,12 @@ def error_quaternion(rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike)
     >>> error = error_quaternion([0, 0, 1], [0, 0, 1.001], 2 * np.pi)
     >>> print(f"{error[2]:.6f} {np.sin(0.001 * np.pi):.6f}")
     0.003142 0.003142
-
-    Of a triad whose errors are known, `driftlab.triad.measured_rate` gives the measured rate:
-
-    >>> from driftlab import triad
-    >>> bent = [[0, 1e-3, 0], [1e-3, 0, 0], [0, 0, 0]]
-    >>> error_quaternion([1, 1, 0], triad.measured_rate([1, 1, 0], bent), 60.0).shape
-    (4,)
     """
     rate, measured_rate, time = finite_arrays(
         rate=(rate, 3), measured_rate=(measured_rate, 3), time=(time,)
     )
+    # Four products of a sine and a cosine multiply four constant quaternions, so a long row of
+    # times costs one small matrix product.
     cosine_true, sine_true, n = _half_turn(rate, time)
     cosine_measured, sine_measured, n_hat = _half_turn(measured_rate, time)
     weights = np.stack(
@@ -186,45 +147,3 @@ def _half_turn(rate: FloatArray, time: FloatArray) -> tuple[FloatArray, FloatArr
     norm = norms(rate)
     axis = rate / np.where(norm == 0, 1.0, norm)[..., np.newaxis]
     return np.cos(0.5 * norm * time), np.sin(0.5 * norm * time), axis
-
-
-def error_transition_matrix(
-    rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike
-) -> FloatArray:
-    """Transition matrix exp(Omega_e t / 2) of the error equation; Larin, between (2.2) and (2.3).
-
-    Parameters
-    ----------
-    rate, measured_rate : array_like, shape (..., 3)
-        True and measured angular rate in body axes, rad/s.
-    time : array_like, shape (...)
-        s; broadcasts against the leading axes of the rates.
-
-    Returns
-    -------
-    ndarray, shape (..., 4, 4)
-        Orthogonal matrix; its product with any initial error quaternion is the error at `time`.
-
-    Notes
-    -----
-    Omega_e has two commuting parts, so its exponential is the product of two quaternion
-    multiplications, one from each side. No series is needed.
-
-    Examples
-    --------
-    >>> rates = [0.0, 0.0, 1.0], [0.01, 0.0, 1.02]
-    >>> transition = error_transition_matrix(*rates, 3.0)
-    >>> np.allclose(transition @ [0, 0, 0, 1], error_quaternion(*rates, 3.0))
-    True
-    """
-    rate, measured_rate, time = finite_arrays(
-        rate=(rate, 3), measured_rate=(measured_rate, 3), time=(time,)
-    )
-    left = conjugate(attitude_quaternion(rate, time))
-    right = attitude_quaternion(measured_rate, time)
-    weights = left[..., :, np.newaxis] * right[..., np.newaxis, :]
-    return (weights.reshape(*weights.shape[:-2], 16) @ _TWO_SIDED).reshape(weights.shape)
-
-
-# Sixteen matrices, flattened: multiplication by one unit from the left and one from the right.
-_TWO_SIDED = (left_matrix(np.eye(4))[:, np.newaxis] @ right_matrix(np.eye(4))).reshape(16, 16)

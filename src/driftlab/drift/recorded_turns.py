@@ -29,9 +29,7 @@ def recorded_turn_estimate(
     """Estimate n^T Sigma n from the angle increments of a gyro triad that a table has turned.
 
     On the Earth the estimate contains the offsets of the Earth's rate and of the gyro bias as well:
-    see `driftlab.drift.turn_calibration.earth_offset`. The mean of two turns in opposite senses is
-    free of both to first order; half the square of bias over rate is left, and products of the two,
-    an arc second for 100 degrees an hour at 10 degrees a second.
+    see `earth_offset`. The mean of two turns in opposite senses is free of both to first order.
 
     Parameters
     ----------
@@ -44,11 +42,10 @@ def recorded_turn_estimate(
     turns : int
         Number k of whole turns.
     algorithm : str or Algorithm or FunctionalIteration or callable
-        A key of `driftlab.attitude.coning_algorithms.ALGORITHMS`, a custom algorithm, or one's own
-        function as in `driftlab.attitude.own_algorithms`. A turn is nearly at a constant rate, for
-        which a rotation vector is exact; algorithms with a tangent err with the fourth power of the
-        angle between rows, by 1.6 arc seconds at 36 rows a turn. Rows at the end that do not make a
-        whole step are taken one by one at constant rate; one's own function must take all rows.
+        As in `driftlab.attitude.integrate`. A turn is nearly at a constant rate, for which a
+        rotation vector is exact; algorithms with a tangent err with the fourth power of the angle
+        between rows, by 1.6 arc seconds at 36 rows a turn. Rows at the end that do not make a whole
+        step are taken one by one at constant rate; one's own function must take all rows.
 
     Returns
     -------
@@ -58,10 +55,9 @@ def recorded_turn_estimate(
     Raises
     ------
     ValueError
-        If the increments add up to something else than `turns` turns about the axis: along it they
-        may be off by 5 % of these (and by less than half a turn), across it by as much. Another
-        axis, degrees, rates and a record that is cut are found so; what is less looks like an error
-        of the triad. Also as in `driftlab.attitude.integration.integrate` and `turn_estimate`.
+        If the increments do not add up to `turns` turns about the axis: along it they may be off by
+        5 % of these (and by less than half a turn), across it by as much. Also as in
+        `driftlab.attitude.integrate` and `turn_estimate`.
 
     See Also
     --------
@@ -70,16 +66,14 @@ def recorded_turn_estimate(
 
     Examples
     --------
-    A perfect triad on the Earth, once about a body axis in each sense:
+    A perfect triad on the Earth, once about a body axis:
 
     >>> from driftlab.motion import TableTurn
-    >>> found = []
-    >>> for rate in np.radians([10.0, -10.0]):
-    ...     turn = TableTurn(rate, latitude=np.radians(37.5))
-    ...     record = turn.increments([1, 1, 0], samples=3600)
-    ...     found.append(recorded_turn_estimate(record.angle, [1, 1, 0]))
-    >>> (np.degrees(found) * 3600).round(2)  # arc seconds
-    array([ 52.46, -52.46])
+    >>> turn = TableTurn(np.radians(10.0), latitude=np.radians(37.5))
+    >>> record = turn.increments([1, 1, 0], samples=3600)
+    >>> found = recorded_turn_estimate(record.angle, [1, 1, 0])
+    >>> print(f"{3600 * np.degrees(found):.2f}")  # arc seconds
+    52.46
     """
     chosen = attitude_algorithm(algorithm)
     count = whole_number(turns, "turns")

@@ -14,8 +14,7 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, one_of
-from driftlab.core.loops import cumulative_product
+from driftlab.checks import FloatArray, finite_array
 from driftlab.quaternion import from_rotation_vector
 
 StepFormula = Callable[[ArrayLike], FloatArray]
@@ -56,66 +55,3 @@ STEP_FORMULAS: Mapping[str, StepFormula] = MappingProxyType(
     }
 )
 """Step formulas by name. At constant rate the classical Runge-Kutta method is "taylor-4"."""
-
-
-def step_formula(name: str) -> StepFormula:
-    """Return the step formula of a given name.
-
-    Parameters
-    ----------
-    name : str
-        A key of `STEP_FORMULAS`.
-
-    Returns
-    -------
-    callable
-        Function from rotation vectors (..., 3), rad, to quaternions (..., 4), not of unit norm in
-        general.
-
-    Raises
-    ------
-    ValueError
-        If the name is not known; the sentence lists the known names.
-
-    Examples
-    --------
-    A step of 1 rad about the third axis, as an angle:
-
-    >>> for name in ("exact", "taylor-1", "pade"):
-    ...     step = step_formula(name)([0.0, 0.0, 1.0])
-    ...     print(f"{name:8} {2 * np.arctan2(step[2], step[3]):.6f}")
-    exact    1.000000
-    taylor-1 0.927295
-    pade     0.998693
-    """
-    one_of(name, STEP_FORMULAS, "name")
-    return STEP_FORMULAS[name]
-
-
-def integrate_steps(increments: ArrayLike, name: str = "exact") -> FloatArray:
-    """Rotation over a whole row of increments, each of them taken as one step at constant rate.
-
-    Parameters
-    ----------
-    increments : array_like, shape (..., n, 3)
-        Integrals of the body rate over equal intervals, rad.
-    name : str
-        A key of `STEP_FORMULAS`.
-
-    Returns
-    -------
-    ndarray, shape (..., 4)
-        Unit quaternions: body axes at the end to those at the beginning.
-
-    Examples
-    --------
-    >>> integrate_steps(np.tile([0.0, 0.0, 0.01], (100, 1))).round(6)
-    array([0.      , 0.      , 0.479426, 0.877583])
-    """
-    rows = finite_array(increments, "increments", 3)
-    if rows.ndim < 2:
-        raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
-    steps = step_formula(name)(rows)
-    # To unit norm, or the norms of many steps would multiply up to overflow.
-    steps /= np.linalg.norm(steps, axis=-1, keepdims=True)
-    return cumulative_product(steps)[..., -1, :]

@@ -42,7 +42,6 @@ def drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArra
     --------
     drift_per_turn : Exact, for a whole turn.
     principal_drifts : The worst axes.
-    driftlab.triad.decompose : The parts of the matrix.
 
     Notes
     -----
@@ -65,29 +64,8 @@ def drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArra
     return _along_and_across(nonzero_vectors(direction, "direction")[0], triad_error)[0]
 
 
-def exact_drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
-    """Drift rate in units of the turn rate, |(I + M) n| - 1, for a triad error of any size.
-
-    Parameters
-    ----------
-    direction : array_like, shape (..., 3)
-        Axis n of the rotation in body axes; only its direction counts, it must not be zero.
-    triad_error : array_like, shape (..., 3, 3)
-        Matrix M of the errors of the triad, without unit.
-
-    Returns
-    -------
-    ndarray, shape (...)
-        Without unit; `drift_coefficient` is its first order.
-
-    Examples
-    --------
-    >>> triad_error = [[0, 0.75, 0], [0, 0, 0], [0, 0, 0]]
-    >>> round(float(exact_drift_coefficient([0, 1, 0], triad_error)), 12)  # sqrt(1 + 0.75^2) - 1
-    0.25
-    >>> float(drift_coefficient([0, 1, 0], triad_error))
-    0.0
-    """
+def _exact_drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
+    """Drift rate (...) in units of the turn rate, |(I + M) n| - 1, for errors of any size."""
     direction, triad_error = finite_arrays(
         direction=(direction, 3), triad_error=(triad_error, 3, 3)
     )
@@ -124,7 +102,6 @@ def drift_per_turn(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     See Also
     --------
     drift_coefficient : In units of the turn rate, to first order.
-    principal_drifts : The worst axes.
     drift_per_motion : The same for any closed motion.
 
     Notes
@@ -144,7 +121,7 @@ def drift_per_turn(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     >>> print(f"{drift_per_turn([1, 1, 0], triad_error) / second:.3f}")  # arc seconds
     6.283
     """
-    return 2 * np.pi * exact_drift_coefficient(direction, triad_error)
+    return 2 * np.pi * _exact_drift_coefficient(direction, triad_error)
 
 
 def principal_drifts(
@@ -166,11 +143,6 @@ def principal_drifts(
         last.
     axes : ndarray, shape (..., 3, 3)
         The unit axes as rows, in the same order, each with its largest entry positive.
-
-    See Also
-    --------
-    drift_coefficient : About an axis of your own.
-    driftlab.triad.decompose : The parts of the matrix.
 
     Examples
     --------

@@ -20,6 +20,7 @@ from driftlab.checks import (
     FloatArray,
     checked_generator,
     error_matrix,
+    finite_array,
     finite_arrays,
     keep,
     nonnegative_number,
@@ -27,13 +28,14 @@ from driftlab.checks import (
     one_of,
     whole_number,
 )
+from driftlab.core.loops import cumulative_product
 from driftlab.core.quaternion import from_rotation_vector
 from driftlab.core.vectors import transform
 from driftlab.earth import checked_latitude, earth_rate
 from driftlab.triad import checked_triad
 
-from .step_formulas import STEP_FORMULAS, integrate_steps
-from .systematic_drift import exact_drift_coefficient
+from .step_formulas import STEP_FORMULAS
+from .systematic_drift import _exact_drift_coefficient
 
 
 def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) -> FloatArray:
@@ -119,7 +121,7 @@ def exact_turn_estimate(axis: ArrayLike, triad_error: ArrayLike, turns: int = 1)
     error_matrix(triad_error, "triad_error")
     n, _ = nonzero_vectors(axis, "axis")
     n_hat, _ = nonzero_vectors(transform(checked_triad(triad_error), n), "axis")
-    half_drift = turns * np.pi * exact_drift_coefficient(n, triad_error)
+    half_drift = turns * np.pi * _exact_drift_coefficient(n, triad_error)
     after = from_rotation_vector(2 * half_drift[..., np.newaxis] * n_hat)
     return turn_estimate(after, n, turns)
 
@@ -146,12 +148,8 @@ def earth_offset(
 
     Notes
     -----
-    With the Earth's rate U and the table's rate w it is, to first order,
-
-    .. math:: U \cdot a / w,
-
-    and reverses with the sense. A perfect triad shows exactly the rotation U T of the Earth in the
-    time T of the turns; a gyro bias b adds n . b / w in the same way.
+    With the Earth's rate U and the table's rate w it is :math:`U \cdot a / w` to first order. A
+    gyro bias b adds n . b / w in the same way.
 
     Examples
     --------
@@ -176,8 +174,6 @@ def earth_offset(
 @dataclass(frozen=True)
 class TurnExperiment:
     """Larin's computer experiment, in inertial space: all of it but the axis and the triad.
-
-    For a turn of a real table see `driftlab.motion.table_turn.TableTurn`.
 
     Attributes
     ----------
@@ -226,32 +222,7 @@ class TurnExperiment:
         triad_error: ArrayLike,
         rng: np.random.Generator | int | None = None,
     ) -> FloatArray:
-        """Attitude error after the turns, integrated step by step as in a computer; Larin (1.2).
-
-        Parameters
-        ----------
-        axis : array_like, shape (..., 3)
-            Body axis of the turns; only its direction counts.
-        triad_error : array_like, shape (..., 3, 3)
-            Matrix M of the errors of the triad, without unit.
-        rng : numpy.random.Generator or int, optional
-            Source of the noise; needed when `angle_noise` is not zero.
-
-        Returns
-        -------
-        ndarray, shape (..., 4)
-            Unit quaternions. The true attitude is plus or minus one after the turns, so the
-            computed attitude is the error itself, up to sign.
-
-        Examples
-        --------
-        Without errors of the triad there is only that of the step formula:
-
-        >>> experiment = TurnExperiment(steps_per_turn=10, step_formula="taylor-1")
-        >>> error = experiment.error_quaternion([0, 0, 1], np.zeros((3, 3)))
-        >>> print(f"{np.arctan(error[2] / error[3]):.4f}")  # 10 arctan(pi/10) - pi
-        -0.0976
-        """
+        """Attitude error (..., 4) after the turns, integrated step by step; Larin (1.2)."""
         axis, triad_error = finite_arrays(axis=(axis, 3), triad_error=(triad_error, 3, 3))
         error_matrix(triad_error, "triad_error")
         n, _ = nonzero_vectors(axis, "axis")
@@ -262,7 +233,18 @@ class TurnExperiment:
         if self.angle_noise:
             scale = self.angle_noise / np.sqrt(self.steps_per_turn)
             increments = increments + checked_generator(source).normal(0.0, scale, increments.shape)
-        return integrate_steps(increments, self.step_formula)
+        # The true attitude is plus or minus one after the turns: what is computed is the error.
+        return self.integrate(increments)
+
+    def integrate(self, increments: ArrayLike) -> FloatArray:
+        """Rotation (..., 4) over a row of increments (..., n, 3), rad, each of them one step."""
+        rows = finite_array(increments, "increments", 3)
+        if rows.ndim < 2:
+            raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
+        steps = STEP_FORMULAS[self.step_formula](rows)
+        # To unit norm, or the norms of many steps would multiply up to overflow.
+        steps /= np.linalg.norm(steps, axis=-1, keepdims=True)
+        return cumulative_product(steps)[..., -1, :]
 
     def estimate(
         self,
@@ -270,26 +252,5 @@ class TurnExperiment:
         triad_error: ArrayLike,
         rng: np.random.Generator | int | None = None,
     ) -> FloatArray:
-        """Estimate n^T Sigma n by the whole experiment: integrate, then apply `turn_estimate`.
-
-        Parameters
-        ----------
-        axis : array_like, shape (..., 3)
-            Body axis n of the turns; only its direction counts.
-        triad_error : array_like, shape (..., 3, 3)
-            Matrix M of the errors of the triad, without unit.
-        rng : numpy.random.Generator or int, optional
-            Source of the noise; needed when `angle_noise` is not zero.
-
-        Returns
-        -------
-        ndarray, shape (...)
-            Estimates, without unit.
-
-        Examples
-        --------
-        >>> triad_error = np.diag([0.0, 0.0, 1e-4])
-        >>> print(f"{TurnExperiment(turns=3).estimate([0, 0, 1], triad_error):.6f}")
-        0.000100
-        """
+        """Estimate n^T Sigma n (...) by the whole experiment: integrate, then `turn_estimate`."""
         return turn_estimate(self.error_quaternion(axis, triad_error, rng), axis, self.turns)

@@ -1,14 +1,16 @@
 """Whole turns by hand between rests: found in a record, and made into Larin's numbers.
 
-A hand turns unevenly, which does no harm, and stops a little beside where it began, which does:
-that is an error of the angle, and it looks like an error of the triad. Neighbouring turns share a
-stop, so their errors are not independent, and the fit weighs them by that.
+A hand turns unevenly, which does no harm, and stops a little beside where it began, which looks
+like an error of the triad. Neighbouring turns share a stop, so their errors are not independent,
+and the fit weighs them by that.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,10 +24,18 @@ from driftlab.checks import (
     positive_number,
     probability,
     shown,
+    whole_pairs,
+    within,
 )
 
-from ._moves import moves, whole_turns
 from .recorded_turns import recorded_turn_estimate
+
+_TOLERANCE = 0.05
+"""By which part of a turn a move may miss whole turns about an axis, along it and across."""
+_STEADY = 0.05
+"""A rest at whose rate, as a part of the fastest in the record, the unit turns steadily."""
+_NEARLY = 0.75
+"""Of a turn: half way between a turn and the half turn that puts a sensor on its head."""
 
 
 @dataclass(frozen=True)
@@ -71,8 +81,7 @@ def hand_turns(
         Time of a row, s.
     rests : array_like of int, shape (m, 2)
         Of each rest the first row, and the first that is left out; in order, each with four rows
-        or more. A hand that turns steadily for a while looks like a rest, but for its rate; such
-        ones are passed over.
+        or more. Steady turns among them are passed over.
     axes : array_like, shape (j, 3)
         Body axes that turns are looked for about; only their directions count. The three of the
         sensor if nothing is said.
@@ -81,8 +90,7 @@ def hand_turns(
     -------
     list of HandTurn
         In order. Moves that are no whole turns about an axis, within 5 % of their angle along it
-        and across it, are left out: somebody has put the sensor on another side, or has missed the
-        stop, which `missed_stops.near_turns` tells.
+        and across it, are left out; `near_turns` finds those that missed the stop.
 
     Raises
     ------
@@ -100,13 +108,10 @@ def hand_turns(
     >>> [(each.axis, each.turns, round(each.estimate, 6)) for each in found]
     [(2, 1, 0.01), (2, -1, 0.01)]
     """
-    rows = finite_array(increments, "increments", 3)
-    seconds = positive_number(interval, "interval")
-    given = None if isinstance(axes, tuple | list) and not axes else axes
-    directions, _ = nonzero_vectors(np.eye(3) if given is None else given, "axes")
+    rows, seconds, directions = _checked(increments, interval, axes)
     found = []
-    for begin, end, angle, still in moves(rows, rests):
-        axis, turns = whole_turns(angle, directions)
+    for begin, end, angle, still in _moves(rows, rests):
+        axis, turns = _whole_turns(angle, directions)
         if not turns:
             continue
         n = directions[axis]
@@ -127,6 +132,156 @@ def hand_turns(
     return found
 
 
+class NearTurn(NamedTuple):
+    """A move that went far about an axis, yet is no whole turn about it.
+
+    Attributes
+    ----------
+    axis : int
+        The one that it went farthest about.
+    angle : float
+        About the axis when it had ended, rad, with the bias of the gyros.
+    reach : float
+        Between the two farthest angles about the axis on the way, rad, without bias.
+    across : float
+        Angle across the axis when it had ended, rad.
+    begin, end : int
+        The first row of the increments, and the first that is left out.
+    seconds : float
+        From the one to the other, s.
+    """
+
+    axis: int
+    angle: float
+    reach: float
+    across: float
+    begin: int
+    end: int
+    seconds: float
+
+
+def near_turns(
+    increments: ArrayLike, interval: float, rests: ArrayLike, axes: ArrayLike = ()
+) -> list[NearTurn]:
+    """Find the moves that `hand_turns` leaves out though they went far about an axis.
+
+    Parameters
+    ----------
+    increments : array_like, shape (n, 3)
+        rad; this and the others as in `hand_turns`.
+    interval : float
+        s.
+    rests : array_like of int, shape (m, 2)
+        Rows.
+    axes : array_like, shape (j, 3)
+        Body axes.
+
+    Returns
+    -------
+    list of NearTurn
+        In order. Three quarters of a turn on the way count as far.
+
+    Raises
+    ------
+    ValueError
+        If rests overlap, are too short, or lie outside the record.
+
+    Examples
+    --------
+    A turn that ends thirty degrees before the stop:
+
+    >>> turn = np.tile([0.0, 0.0, np.radians(3.3)], (100, 1))
+    >>> rest = np.zeros((20, 3))
+    >>> rows = np.concatenate([rest, turn, rest])
+    >>> (short,) = near_turns(rows, 0.1, [[0, 20], [120, 140]])
+    >>> short.axis, f"{np.degrees(short.angle):.3f}"
+    (2, '330.000')
+    """
+    rows, seconds, directions = _checked(increments, interval, axes)
+    found = []
+    for begin, end, angle, still in _moves(rows, rests):
+        if _whole_turns(angle, directions)[1]:
+            continue
+        way = np.cumsum(rows[begin:end] - still, axis=0) @ directions.T
+        reach = np.ptp(way, axis=0)
+        axis = int(np.argmax(reach))
+        if reach[axis] > _NEARLY * 2 * np.pi:
+            n = directions[axis]
+            along = float(angle @ n)
+            across = float(np.linalg.norm(angle - along * n))
+            time = (end - begin) * seconds
+            found.append(
+                NearTurn(axis, along, float(reach[axis]), across, begin, end, seconds=time)
+            )
+    return found
+
+
+def _checked(
+    increments: ArrayLike, interval: float, axes: ArrayLike
+) -> tuple[FloatArray, float, FloatArray]:
+    """Increments (n, 3), rad, their interval, s, and unit axes (j, 3), by default the sensor's."""
+    rows = finite_array(increments, "increments", 3)
+    seconds = positive_number(interval, "interval")
+    none = axes is None or (isinstance(axes, tuple | list) and not axes)
+    return rows, seconds, nonzero_vectors(np.eye(3) if none else axes, "axes")[0]
+
+
+class _Move(NamedTuple):
+    """From the middle of a rest to the middle of the next."""
+
+    begin: int
+    end: int  # the first row that is left out
+    angle: FloatArray  # (3,), what its increments add up to, rad
+    still: FloatArray  # (3,), mean increment in the two rests, rad
+
+
+def _moves(rows: FloatArray, rests: ArrayLike) -> Iterator[_Move]:
+    """Yield the moves of a record in order; rests of a steady turn do not part them."""
+    within(rows, "increments", 2 * np.pi, "rad", "is it in degrees?")
+    stops = _checked_rests(rests, len(rows))
+    if len(stops):  # of none there is no usual rate
+        stops = _without_steady_turns(rows, stops)
+    for first, second in pairwise(stops):
+        begin, end = int(first.sum()) // 2, int(second.sum()) // 2
+        still = np.concatenate([rows[_middle(*rest)] for rest in (first, second)]).mean(axis=0)
+        yield _Move(begin, end, rows[begin:end].sum(axis=0), still)
+
+
+def _whole_turns(angle: FloatArray, directions: FloatArray) -> tuple[int, int]:
+    """Return the axis that an angle is about most, and how many whole turns it is; 0 if none."""
+    axis = int(np.argmax(np.abs(directions @ angle)))
+    n, vector = directions[axis], angle / (2 * np.pi)
+    along = float(vector @ n)
+    turns = round(along)
+    limit = min(_TOLERANCE * abs(turns), 0.5)
+    missed = abs(along - turns) > limit or np.linalg.norm(vector - along * n) > limit
+    return axis, 0 if missed else turns
+
+
+def _middle(begin: int, end: int) -> slice:
+    """The middle half of a rest: at its ends the hand may still be at work."""
+    quarter = (end - begin) // 4
+    return slice(begin + quarter, end - quarter)
+
+
+def _without_steady_turns(rows: FloatArray, stops: np.ndarray) -> np.ndarray:
+    """The rests whose rate is nearly that of most."""
+    means = np.array([rows[_middle(*rest)].mean(axis=0) for rest in stops]).reshape(-1, 3)
+    off = np.abs(means - np.median(means, axis=0)).max(axis=1)
+    kept: np.ndarray = stops[off < _STEADY * np.abs(rows).max()]
+    return kept
+
+
+def _checked_rests(rests: ArrayLike, count: int) -> np.ndarray:
+    stops = whole_pairs(rests, "rests")
+    edges = stops.ravel()
+    if len(edges) and (edges[0] < 0 or edges[-1] > count or (np.diff(edges) < 0).any()):
+        raise ValueError(f"rests: expected rows from 0 to {count} in order, got {shown(rests)}.")
+    if (np.diff(stops) < 4).any():
+        raise ValueError(f"rests: expected four rows or more in each, got {shown(rests)}.")
+    return stops
+
+
 @dataclass(frozen=True, eq=False)
 class HandTurnFit:
     """Larin's numbers from turns by hand, without the Earth and the bias.
@@ -142,8 +297,7 @@ class HandTurnFit:
     sigma_deviation, offset_deviation : ndarray, shape (j,)
         Standard deviations, from the scatter of the turns; nan if there is no turn too many.
     stop_deviation : float
-        Standard deviation of the angle at which a rest begins, rad, if all of the scatter is due
-        to the stops.
+        Standard deviation of the stops, rad, if all of the scatter is due to them.
     degrees_of_freedom : int
         Turns less unknowns, two to an axis.
     """
@@ -157,25 +311,7 @@ class HandTurnFit:
     degrees_of_freedom: int
 
     def half_widths(self, confidence: float = 0.95) -> tuple[FloatArray, FloatArray]:
-        """Halves of the intervals in which the numbers lie with some confidence, by Student's t.
-
-        Parameters
-        ----------
-        confidence : float
-            Between 0 and 1, of each number for itself.
-
-        Returns
-        -------
-        sigma, offset : ndarray, shape (j,)
-            Without unit, and rad/s.
-
-        Examples
-        --------
-        >>> ONE, ZERO = np.ones(1), np.zeros(1)
-        >>> fit = HandTurnFit((2,), ZERO, ZERO, ONE, ONE, stop_deviation=0.1, degrees_of_freedom=6)
-        >>> fit.half_widths()[0].round(2)
-        array([2.45])
-        """
+        """Half widths (j,) of confidence intervals: of sigma, and of offset in rad/s."""
         inside = probability(confidence, "confidence")
         factor = stdtrit(self.degrees_of_freedom, (1 + inside) / 2)
         return factor * self.sigma_deviation, factor * self.offset_deviation
@@ -186,8 +322,8 @@ def fit_hand_turns(turns: Sequence[HandTurn]) -> HandTurnFit:
 
     The estimate of a turn is n^T Sigma n + o T / (2 pi k) plus the error of its angle over 2 pi k,
     with the offset o, the time T and the number k of turns, negative in the other sense. The angle
-    of a turn errs by the difference of two stops, whose errors are taken for independent and
-    alike; a stop between two turns is shared by them. This is generalised least squares.
+    errs by the difference of two stops, whose errors are taken for independent and alike;
+    neighbouring turns share one. This is generalised least squares.
 
     Parameters
     ----------

@@ -46,8 +46,7 @@ def weighing(estimates: ArrayLike) -> FloatArray:
     Notes
     -----
     Each result is half of a sum with two signs plus and two minus, so an offset common to all four
-    *numbers* cancels, and independent noise of one size in all four keeps its variance. Three
-    numbers less a fourth that shows the offset alone would have twice that variance.
+    *numbers* cancels, and independent noise of one size in all four keeps its variance.
 
     Examples
     --------
@@ -76,15 +75,7 @@ class TurnFit(NamedTuple):
     covariance : ndarray, shape (3 + s + g + e, 3 + s + g + e)
         Covariance of (sigma, scale, gyro_bias, earth_rate) when each estimate has unit variance.
     residuals : ndarray, shape (..., m)
-        Each estimate less what the unknowns make of it, without unit. Large ones show a slip, such
-        as the wrong sign of an axis; as many turns as unknowns leave none.
-
-    Examples
-    --------
-    Larin's three axes give each sigma with the variance of one estimate:
-
-    >>> fit_turns([1e-4, 2e-4, 3e-4], PAIR_AXES).covariance.diagonal().round(9)
-    array([1., 1., 1.])
+        Each estimate less what the unknowns make of it, without unit.
     """
 
     sigma: FloatArray
@@ -112,8 +103,7 @@ def fit_turns(
         Turn estimates, one for each turn.
     axes : array_like, shape (m, 3)
         Axes n in the body, each as it points along the table's axis in space: up, on a level
-        table. With body axes forward, right, down an upright unit turns about (0, 0, -1). Only
-        their directions count.
+        table. Only their directions count.
     scale : {"none", "common", "each"}
         Other unknowns: none, one scale-factor error common to the three gyros (an offset common to
         all estimates: a table that overshoots looks the same), or one for each gyro.
@@ -158,22 +148,12 @@ def fit_turns(
     --------
     With Yates's four axes a scale-factor error common to all gyros can be found as well:
 
-    >>> from driftlab.drift.turn_calibration import TurnExperiment, earth_offset
+    >>> from driftlab.drift.turn_calibration import TurnExperiment
     >>> triad = 1e-4 * np.array([[4, 1, 2], [1, 4, 3], [2, 3, 4]])
     >>> estimates = TurnExperiment().estimate(YATES_AXES, triad)
     >>> fit = fit_turns(estimates, YATES_AXES, scale="common")
     >>> print(fit.sigma.round(6), fit.scale.round(6))
     [0.0001 0.0002 0.0003] [0.0004]
-
-    Turned both ways on the Earth they show the Earth's rate about the vertical too:
-
-    >>> rates = np.repeat([0.2, -0.2], 4)  # rad/s
-    >>> both = np.tile(estimates, 2) + earth_offset(0.7, rates)
-    >>> fit = fit_turns(
-    ...     both, np.tile(YATES_AXES, (2, 1)), "common", table_rates=rates, earth_rate="unknown"
-    ... )
-    >>> print(fit.sigma.round(6), fit.earth_rate.round(8))  # the latter is U sin 0.7
-    [0.0001 0.0002 0.0003] [4.698e-05]
     """
     n, _ = nonzero_vectors(axes, "axes")
     if n.ndim != 2:

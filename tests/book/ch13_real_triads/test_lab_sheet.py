@@ -22,8 +22,7 @@ from driftlab.book.ch13_real_triads.offset_two_ways import (
     verdicts,
 )
 from driftlab.book.machinery.figure.csv_table import read_table
-from driftlab.drift.missed_stops import near_turns
-from driftlab.drift.turns_by_hand import HandTurn, fit_hand_turns, hand_turns
+from driftlab.drift.turns_by_hand import HandTurn, fit_hand_turns, hand_turns, near_turns
 from driftlab.recordings.csv_reader import read_csv
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rest_detection import rests

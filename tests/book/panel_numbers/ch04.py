@@ -4,7 +4,6 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.book.ch04_calibration_by_turns.experiments import PLANS
-from driftlab.drift.step_formulas import integrate_steps
 from driftlab.drift.turn_calibration import TurnExperiment, turn_estimate
 from driftlab.drift.weighing_designs import fit_turns, weighing
 from driftlab.earth import EARTH_RATE
@@ -38,7 +37,7 @@ def one_sense(values: Values, experiment, axes, triad, sense, rng):
     rows = rows @ (np.eye(3) + triad).T + seconds * values["bias"] * np.radians(1 / 3600)
     size = experiment.angle_noise / np.sqrt(values["steps"])
     rows = rows + (size * rng.standard_normal((len(axes), *rows.shape)) if size else 0)
-    error = integrate_steps(rows, values["formula"])
+    error = experiment.integrate(rows)
     return turn_estimate(error, np.sign(rate) * axes, k)
 
 

@@ -6,8 +6,8 @@ from scipy.integrate import solve_ivp
 
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import finite_array
-from driftlab.drift.error_kinematics import attitude_quaternion, error_quaternion, error_rate_matrix
-from driftlab.quaternion import rotate, rotation_angle, to_rotation_vector
+from driftlab.drift.error_kinematics import error_quaternion, error_rate_matrix
+from driftlab.quaternion import from_rotation_vector, rotate, rotation_angle, to_rotation_vector
 
 DURATION = 60.0
 """Length of a history, s."""
@@ -77,7 +77,9 @@ def error_in_space(rate: ArrayLike, false_rate: ArrayLike, duration: float = DUR
         raise ValueError(f"duration: expected a number above 0, got {duration!r}.")
     omega, false = finite_array(rate, "rate", 3), finite_array(false_rate, "false_rate", 3)
     time = np.linspace(0.0, duration, MOMENTS)
-    attitude, apparent = (attitude_quaternion(each, time) for each in (omega, omega + false))
+    attitude, apparent = (
+        from_rotation_vector(each * time[:, np.newaxis]) for each in (omega, omega + false)
+    )
     error = error_quaternion(omega, omega + false, time)
     vector, added = (rotate(attitude, each) for each in (to_rotation_vector(error), false))
     turn = _turn(omega)

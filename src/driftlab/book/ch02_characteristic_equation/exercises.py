@@ -13,10 +13,7 @@ from driftlab.book.machinery.exercise.given_numbers import GivenNumbers
 from driftlab.book.machinery.exercise.reading import SettingError
 from driftlab.checks import FloatArray
 from driftlab.drift.characteristic_equation import asymptotic_roots, exact_roots
-from driftlab.drift.systematic_drift import (
-    drift_coefficient,
-    exact_drift_coefficient,
-)
+from driftlab.drift.systematic_drift import drift_coefficient, drift_per_turn
 from driftlab.triad import measured_rate
 from driftlab.vectors import direction_from_angles
 
@@ -29,7 +26,7 @@ def _slow_roots() -> tuple[FloatArray, FloatArray]:
     """Slow root about the axes of `AZIMUTHS`, 15 degrees up: to first order, and what it lacks."""
     axes = direction_from_angles(np.radians(AZIMUTHS), np.radians(15))
     first_order = drift_coefficient(axes, LEANS)
-    return first_order, exact_drift_coefficient(axes, LEANS) - first_order
+    return first_order, drift_per_turn(axes, LEANS) / (2 * np.pi) - first_order
 
 
 def _first_order_exact() -> FloatArray:

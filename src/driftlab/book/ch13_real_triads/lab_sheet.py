@@ -8,8 +8,7 @@ import numpy as np
 from scipy.constants import degree
 
 from driftlab.checks import FloatArray
-from driftlab.drift.missed_stops import NearTurn
-from driftlab.drift.turns_by_hand import HandTurn, HandTurnFit
+from driftlab.drift.turns_by_hand import HandTurn, HandTurnFit, NearTurn
 
 from ..machinery.figure.data_table import DataTable
 from ..machinery.figure.drawing import Drawing, from_table

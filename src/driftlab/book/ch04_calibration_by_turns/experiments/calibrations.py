@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray, finite_array, whole_number
-from driftlab.drift.step_formulas import integrate_steps
 from driftlab.drift.turn_calibration import TurnExperiment, turn_estimate
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing
 from driftlab.imu import NO_ERRORS, ImuErrors
@@ -117,7 +116,7 @@ def _on_table(
     size = experiment.angle_noise / np.sqrt(experiment.steps_per_turn)
     if size:
         rows = rows + rng.normal(0.0, size, (len(axes), *rows.shape))
-    error = integrate_steps(rows, experiment.step_formula)
+    error = experiment.integrate(rows)
     return turn_estimate(error, np.sign(table.rate) * axes, table.turns)
 
 
