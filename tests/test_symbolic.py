@@ -10,6 +10,7 @@ from driftlab.attitude import cayley, riccati
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.integration import step_quaternions, step_vectors
 from driftlab.drift import error_kinematics
+from driftlab.symbolic.step_series import Series, algorithm_step_vector
 from driftlab.vectors import cross_matrix
 from support import EPS
 
@@ -30,10 +31,6 @@ def numbers(matrix: sp.Matrix) -> np.ndarray:
         (
             symbolic.error_rate_matrix(sp.Matrix(RATE), sp.Matrix(MEASURED)),
             error_kinematics.error_rate_matrix(RATE, MEASURED),
-        ),
-        (
-            symbolic.error_composition_matrix(sp.Matrix(ATTITUDE)),
-            error_kinematics.error_composition_matrix(ATTITUDE),
         ),
         *(
             (symbolic.skew_operator(sp.Matrix(RATE), n), cayley.skew_operator(RATE, n))
@@ -73,13 +70,13 @@ def test_simplified_finds_a_hidden_zero() -> None:
 SERIES = np.random.default_rng(9).normal(size=(4, 3))
 
 
-def series_of_numbers(length: int) -> symbolic.Series:
+def series_of_numbers(length: int) -> Series:
     """`SERIES` as exact fractions, filled up with zeros."""
     rows = [sp.Matrix([sp.nsimplify(round(x, 6)) for x in row]) for row in SERIES]
     return rows + [sp.zeros(3, 1)] * (length - len(rows))
 
 
-def value(series: symbolic.Series, h: float) -> np.ndarray:
+def value(series: Series, h: float) -> np.ndarray:
     return sum(numbers(coefficient) * h**i for i, coefficient in enumerate(series))
 
 
@@ -113,7 +110,7 @@ def test_series_of_an_algorithm_is_what_it_computes(name: str) -> None:
     if algorithm.last_stage == "rotation vector":
         found = cayley.cayley_vector(quaternion.from_rotation_vector(found))
     # The series ends before h^8; its coefficients and those of the rate are of order one.
-    expected = value(symbolic.algorithm_step_vector(algorithm, rate), h)
+    expected = value(algorithm_step_vector(algorithm, rate), h)
     np.testing.assert_allclose(found, expected, rtol=0, atol=100 * h**8 + 1e-17)
 
 

@@ -51,15 +51,13 @@ def identity(
     """Prove that two expressions are equal, and show it.
 
     They are equal for all values that the assumptions on their symbols allow and for which both
-    sides exist. An expansion that was cut off is proved as it was cut off: say so in its text.
+    sides exist.
 
     Parameters
     ----------
     left, right : expression or matrix
-        Their difference is brought to the normal form of a rational expression, in which square
-        roots, sines and cosines count as symbols (see `simplified`); what is not zero by that is
-        left to SymPy's ``simplify``, which knows more of angles and takes longer. ``right=0``
-        stands for a zero of the shape of `left`.
+        Their difference is brought to zero by `simplified` or, which takes longer, by SymPy's
+        ``simplify``. ``right=0`` stands for a zero of the shape of `left`.
     left_text, right_text : str
         How the sides are to be typeset, in LaTeX; if not given, the expressions themselves.
 

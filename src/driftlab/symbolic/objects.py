@@ -56,11 +56,6 @@ def rate_matrix(rate: sp.Matrix) -> sp.Matrix:
     return right_matrix(pure(rate))
 
 
-def error_composition_matrix(attitude: sp.Matrix) -> sp.Matrix:
-    """Lambda of Larin (1.3)."""
-    return left_matrix(conjugate(attitude))
-
-
 def error_rate_matrix(rate: sp.Matrix, measured_rate: sp.Matrix) -> sp.Matrix:
     """Omega_e of Larin (1.4)."""
     return right_matrix(pure(measured_rate)) - left_matrix(pure(rate))
@@ -74,10 +69,7 @@ def rotation_exponential(rate: sp.Matrix, time: sp.Expr) -> sp.Matrix:
 
 
 def simplified(matrix: sp.Matrix) -> sp.Matrix:
-    """Bring every entry to the normal form of a rational expression: what is zero comes out as 0.
-
-    Square roots, sines and cosines count as symbols; ``sqrt(x)**2`` is x.
-    """
+    """Bring every entry to the normal form of a rational expression in roots, sines and cosines."""
     return matrix.applyfunc(sp.cancel)
 
 

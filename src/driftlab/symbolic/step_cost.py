@@ -142,17 +142,15 @@ LAST_STAGES: Mapping[str, Callable[[_Assignments, Sums], None]] = MappingProxyTy
     }
 )
 """Ways from the sum of a step and its coning correction to the quaternion: those of `Algorithm`,
-and five to compare with them. Dimension 3 goes by -tan(|f|/2) f/|f|. The series are the sine and
-cosine of a rotation vector, cut off after the terms that fourth order needs; in the last one the
-cosine is the root of what the sine leaves of one. Each is written with as few operations as were
-found."""
+and four to compare with them, each with as few operations as were found. Dimension 3 goes by
+-tan(|f|/2) f/|f|. The series are the sine and cosine of a rotation vector, cut off after the terms
+that fourth order needs."""
 
 
 def step_program(algorithm: Algorithm, last_stage: str | None = None) -> Program:
-    """What a computer evaluates in one step, from the increments g0, g1, ... to the quaternion.
+    """What a computer evaluates in one step, from g0, g1, ... to the quaternion, scalar last.
 
-    The last four assignments are the quaternion, scalar last. `last_stage` is one of `LAST_STAGES`
-    and takes the place of the algorithm's own.
+    `last_stage`, one of `LAST_STAGES`, replaces the algorithm's own.
     """
     stage = algorithm.last_stage if last_stage is None else last_stage
     if stage not in LAST_STAGES:
@@ -171,20 +169,7 @@ def step_program(algorithm: Algorithm, last_stage: str | None = None) -> Program
 
 
 def run_program(program: Program, increments: FloatArray) -> FloatArray:
-    """Carry out a program in double precision.
-
-    Parameters
-    ----------
-    program : list
-        Of `step_program`.
-    increments : ndarray, shape (..., window, 3)
-        g0, g1, ... in rad.
-
-    Returns
-    -------
-    ndarray, shape (..., 4)
-        The last four values: the quaternion of the step.
-    """
+    """Quaternion (..., 4) of a step by a program, from increments (..., window, 3), rad."""
     values = {
         symbol: increments[..., i, j]
         for i in range(increments.shape[-2])
@@ -197,13 +182,7 @@ def run_program(program: Program, increments: FloatArray) -> FloatArray:
 
 
 def operations(program: Program) -> dict[str, int]:
-    """Count the operations of a program.
-
-    Returns
-    -------
-    dict
-        How many of ``+`` (with minus), ``×``, ``÷``, ``sqrt`` and ``sin, cos``.
-    """
+    """How many of ``+`` (with minus), ``×``, ``÷``, ``sqrt`` and ``sin, cos`` a program has."""
     count = dict.fromkeys(["+", "×", "÷", "sqrt", "sin, cos"], 0)
     for _, expression in program:
         for node in sp.preorder_traversal(expression):

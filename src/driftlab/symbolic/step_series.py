@@ -12,15 +12,7 @@ Series = list[sp.Matrix]
 
 
 def picard_iterate(k: Series, rate: Series) -> Series:
-    """One of Picard's approximations from the one before: the integral of `riccati_rate`.
-
-    Parameters
-    ----------
-    k : list of Matrix
-        Coefficients of the approximation before, in powers of time from the start of the step.
-    rate : list of Matrix
-        Coefficients of the rate, as many.
-    """
+    """One of Picard's approximations from the one before, k: the integral of `riccati_rate`."""
     derivative = _sum(
         [
             (sp.Rational(1, 4), _scaled(_dot(k, k), rate)),
@@ -33,12 +25,9 @@ def picard_iterate(k: Series, rate: Series) -> Series:
 
 
 def exact_step_vector(rate: Series) -> Series:
-    """Series of the true k over a step of length h, to the order of `rate`.
-
-    From the linear equation of the quaternion, and so without Picard's iteration: each power of
-    2 dq/dt = q∘rate gives the next coefficient of q, and k = -v/(1 + s) of its vector and scalar
-    part.
-    """
+    """Series of the true k over a step of length h, to the order of `rate`."""
+    # Without Picard's iteration: each power of 2 dq/dt = q∘rate gives the next coefficient of q,
+    # and k = -v/(1 + s) of its vector and scalar part.
     vector, scalar = [sp.zeros(3, 1)], [sp.Integer(1)]
     for n in range(len(rate) - 1):
         parts = [(vector[i], scalar[i], rate[n - i]) for i in range(n + 1)]
