@@ -25,10 +25,9 @@ VARIABLE = "DRIFTLAB_COMPILED"
 """Of the environment: "0" compiles nothing, "1" whatever its size; else long records are compiled.
 It is read at the start of a program, and processes that are started inherit it."""
 
-# NumPy takes 40 ms for so many increments or filter steps, over all runs; Numba is loaded in 0.4 s
-# once in a process, and compiles for 2 to 3 s once on a computer. So a call that a notebook makes
-# in passing never waits for it, one long record waits for less than half a second, and a study
-# of many has that back after ten of them, each two to eight times as fast from then on.
+# NumPy takes about 40 ms for so many increments or filter steps, over all runs. Numba takes 0.4 s
+# to load, once in a process, and 2 to 3 s to compile, once on a computer. So short calls never wait
+# for it; one call of this size does not earn the loading, and about fifteen of them do.
 LONG_ATTITUDE, LONG_NAVIGATION, LONG_FILTER = 700_000, 150_000, 2_500
 
 
