@@ -10,14 +10,26 @@ import joblib
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
+from joblib.externals.loky import get_reusable_executor
 from scipy.stats import binom, chi2
 
 from driftlab import monte_carlo
 from driftlab.calibration.simulation import TableTrial
 from driftlab.monte_carlo import FOLDER, mean_square_bounds, run_batches
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
+from support import ROOT
 
 SHORT = Scheme(NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=3.0)
+
+
+@pytest.fixture(autouse=True, scope="module")
+def workers_that_find_the_tests():
+    """Processes that another test has left may have started where no ``tests`` is in sight."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(ROOT)
+        get_reusable_executor().shutdown(kill_workers=True)
+        yield
+        get_reusable_executor().shutdown(kill_workers=True)
 
 
 class Counted:

@@ -61,6 +61,11 @@ def convert_vectors(vectors: ArrayLike, from_axes: str, to_axes: str) -> FloatAr
         If letters are unknown, two of them share a line, the axes are left-handed, or one argument
         names local axes and the other body axes.
 
+    See Also
+    --------
+    convert_matrix : Error matrices in other axes.
+    convert_attitude : Attitudes between other axes.
+
     Examples
     --------
     The rows of a log in forward, right, down, made ready for `align`; at rest the specific force

@@ -11,11 +11,22 @@ from numpy.typing import ArrayLike
 from .checks import FloatArray, finite_array, finite_arrays, pull_of_gravity, within
 from .core import earth as core
 from .core.earth import (
-    EARTH_RATE as EARTH_RATE,
-    EQUATOR_GRAVITY as EQUATOR_GRAVITY,
+    EARTH_RATE,
+    EQUATOR_GRAVITY,
     FLATTENING,
     SEMI_MAJOR_AXIS,
 )
+
+__all__ = [
+    "EARTH_RADIUS",
+    "EARTH_RATE",
+    "EQUATOR_GRAVITY",
+    "checked_gravity",
+    "checked_latitude",
+    "curvature_radii",
+    "earth_rate",
+    "gravity",
+]
 
 EARTH_RADIUS = SEMI_MAJOR_AXIS * (1 - FLATTENING / 3)
 """Mean radius R of the ellipsoid, m. The Earth of Plotnikov's paper is a sphere."""

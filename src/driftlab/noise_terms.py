@@ -172,6 +172,11 @@ def fit_noise_terms(allan: AllanDeviation, terms: Iterable[str] = TERMS) -> Nois
     ValueError
         If there are several sensors, too few averaging times, or unknown terms.
 
+    See Also
+    --------
+    driftlab.allan.allan_deviation : What it fits.
+    driftlab.gyrocompass.fit_gyro_noise : For the heading of a gyrocompass.
+
     Notes
     -----
     Least squares without negative terms, each point with the weight of its own degrees of freedom.

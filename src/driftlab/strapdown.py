@@ -69,6 +69,10 @@ def at_rest(
     ValueError
         If the latitude is that of a pole, or an attitude is a zero quaternion.
 
+    See Also
+    --------
+    navigate : Goes on from there.
+
     Examples
     --------
     >>> state = at_rest(np.radians([30.0, 45.0]), [0, 0, 0, 2])

@@ -135,6 +135,11 @@ def measured_rate(rate: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     ndarray, shape (..., 3)
         (I + M) rate, rad/s.
 
+    See Also
+    --------
+    driftlab.drift.drift_per_turn : What becomes of it.
+    decompose : The parts of the matrix.
+
     Examples
     --------
     The x gyro leans towards the y axis and measures a part of the rate about it:

@@ -144,6 +144,11 @@ def principal_drifts(
     axes : ndarray, shape (..., 3, 3)
         The unit axes as rows, in the same order, each with its largest entry positive.
 
+    See Also
+    --------
+    drift_coefficient : About an axis of your own.
+    driftlab.triad.decompose : The parts of the matrix.
+
     Examples
     --------
     >>> coefficients, axes = principal_drifts([[0, 0.02, 0], [0, 0, 0], [0, 0, 0.005]])
