@@ -92,7 +92,7 @@ class NoiseTerms:
     def samples(
         self, count: int, interval: float, rng: np.random.Generator | int, *shape: int
     ) -> FloatArray:
-        """Draw a record (*shape, count) of this noise: means of the rate over an interval, rad/s.
+        """Draw a record ``(*shape, count)`` of this noise: mean rates of an interval, rad/s.
 
         The random walk begins at zero. The flicker noise is the first half of a record with a
         period of twice the length.

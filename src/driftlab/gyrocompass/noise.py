@@ -87,7 +87,7 @@ class GyroNoise:
         return replace(self, white=white, interval=seconds)
 
     def samples(self, count: int, rng: np.random.Generator | int, *shape: int) -> FloatArray:
-        """Draw the noise of gyros that are switched on anew, rates (*shape, count) in rad/s."""
+        """Draw the noise of gyros that are switched on anew, rates ``(*shape, count)`` in rad/s."""
         size = (*(whole_number(n, "shape") for n in shape), whole_number(count, "count"))
         source = checked_generator(rng)
         kept = float(np.exp(-self.interval / self.correlation_time))
