@@ -32,6 +32,13 @@ def test_importing_the_package_loads_no_library():
     assert printed_by("-c", code) == "[]"
 
 
+def test_integrate_needs_numpy_alone():
+    heavy = {"scipy", "numba", "numpy.ma", "numpy.polynomial"}
+    used = "integrate([[0.0, 0.0, 0.1]] * 9, 'rotation-vector-2')"
+    code = f"import sys; from driftlab import integrate; {used}; print({heavy!r} & {{*sys.modules}})"
+    assert printed_by("-c", code) == "set()"
+
+
 def test_panels_ask_for_no_more_than_a_page_has():
     """A page runs them in a browser, where SymPy, JupyterLab and IPython would be far too much.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 import numpy as np
@@ -53,7 +54,10 @@ def _as_array(value: ArrayLike, name: str, shape: tuple[int, ...]) -> NDArray[An
         as_quat = getattr(value, "as_quat", None)
         value = as_quat() if as_quat is not None else value
     masked = value if isinstance(value, list | tuple) else (value,)
-    if any(np.ma.is_masked(each) for each in masked if isinstance(each, np.ma.MaskedArray)):
+    # Without the module, which takes longer to load than all of ours, there are no masked arrays.
+    if "numpy.ma" in sys.modules and any(
+        np.ma.is_masked(each) for each in masked if isinstance(each, np.ma.MaskedArray)
+    ):
         raise ValueError(f"{name}: expected all values to be there, got masked ones.")
     try:
         return np.asarray(value)

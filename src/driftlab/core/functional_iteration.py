@@ -11,7 +11,6 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
@@ -41,6 +40,8 @@ class Tables(NamedTuple):
 @cache
 def tables(window: int) -> Tables:
     """Matrices of a window of so many increments; its time runs from -1 to 1."""
+    from numpy.polynomial import legendre  # here, lest every attitude wait for it
+
     count = window + _MORE_NODES
     nodes, weights = legendre.leggauss(count)
     values = legendre.legvander(nodes, count - 1)
@@ -53,6 +54,8 @@ def tables(window: int) -> Tables:
 
 def _integrals(times: FloatArray, count: int) -> FloatArray:
     """Integrals (m, count) of Legendre's polynomials from -1 to each of m times."""
+    from numpy.polynomial import legendre
+
     values = legendre.legvander(times, count)
     odd = 2 * np.arange(1, count) + 1
     return np.column_stack([times + 1, (values[:, 2:] - values[:, :-2]) / odd])

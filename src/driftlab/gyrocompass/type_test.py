@@ -328,7 +328,7 @@ def _heading_errors(
     *starts: int,
     blind: bool = False,
 ) -> FloatArray:
-    """Heading errors ``(*starts, n)`` on a way, rad; the log is `blind` to a way that only sways."""
+    """Heading errors (..., n) on a way, rad; the log is `blind` to a way that only sways."""
     interval, angle, _ = way.increments
     noise = compass.gyro_noise
     before = max(round(compass.alignment_time / interval), 1)
