@@ -8,8 +8,7 @@ import pytest
 
 from driftlab.axes import convert_vectors
 from driftlab.commands import example
-from driftlab.commands.align import WITHIN, find
-from driftlab.commands.at_rest import FOUND
+from driftlab.commands.align import FOUND, WITHIN, find
 from driftlab.commands.example import OPTIONS
 from driftlab.commands.record import moved_at
 from driftlab.earth import EARTH_RATE, gravity

@@ -10,8 +10,8 @@ from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
 from driftlab.calibration import calibrate_by_poses, from_json
 from driftlab.calibration.interchange import KeptCalibration
 from driftlab.commands import example
+from driftlab.commands.calibrate import FORMS, matrices
 from driftlab.commands.example import OPTIONS
-from driftlab.commands.matrix_forms import FORMS, matrices
 from driftlab.recordings import published_file
 from driftlab.recordings.rest_detection import rests
 from support import recording_or_skip

@@ -13,7 +13,7 @@ from driftlab.__main__ import main as door
 from driftlab.commands import COMMANDS
 from driftlab.commands.example import OPTIONS
 from driftlab.commands.line import command
-from driftlab.commands.terminal import PLAIN
+from driftlab.commands.outputs import PLAIN
 
 PLACE = "--axes FRD --latitude 59.9"
 

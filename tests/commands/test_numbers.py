@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from driftlab.commands.numbers import RATES, SCALES, fitting, with_deviation, written
+from driftlab.commands.findings import RATES, SCALES, fitting, written
 
 
 @pytest.mark.parametrize(
@@ -30,8 +30,4 @@ def test_units_fit_the_largest_value():
     assert fitting([0.02, -0.5], SCALES).name == "%"
     assert fitting([3e-4], SCALES).name == "ppm"
     assert fitting([np.nan, 0.0], RATES).name == "deg/h"
-    assert with_deviation(np.radians(1.5), np.radians(0.02), RATES[0]) == (
-        "1.500",
-        "0.020",
-        "deg/s",
-    )
+    assert RATES[0].pair(np.radians(1.5), np.radians(0.02)) == "1.500 ± 0.020"

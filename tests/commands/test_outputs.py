@@ -11,8 +11,7 @@ import pytest
 
 from driftlab.commands.example import OPTIONS
 from driftlab.commands.findings import Findings
-from driftlab.commands.origin import Origin
-from driftlab.commands.outputs import as_csv, as_json, write
+from driftlab.commands.outputs import Origin, as_csv, as_json, write
 
 ORIGIN = Origin((("log.csv", "0" * 64),), "python -m driftlab", "rows", "versions")
 

@@ -9,10 +9,11 @@ import shlex
 import numpy as np
 import pytest
 
-from driftlab.commands import plots, progress
+from driftlab.commands import line, progress
 from driftlab.commands.example import OPTIONS
-from driftlab.commands.findings import Curve, Findings, Plot, Table, outline
-from driftlab.commands.origin import Origin
+from driftlab.commands.findings import Curve, Findings, Plot, Table
+from driftlab.commands.outputs import Origin
+from driftlab.commands.record import outline
 from driftlab.commands.report import page
 
 EVIL = "<script>alert('x')</script>\" onload=\"y"
@@ -54,7 +55,7 @@ def test_tables_and_plots_escape_their_words_and_repeat():
 
 
 def test_without_matplotlib_a_sentence_says_what_to_do(refused, example_log, tmp_path, monkeypatch):
-    monkeypatch.setattr(plots, "find_spec", lambda name: None)
+    monkeypatch.setattr(line, "find_spec", lambda name: None)
     words = f"integrate {example_log} {OPTIONS} --report page.html"
     assert "install it by 'pip install matplotlib'" in refused(words)
     assert not (tmp_path / "page.html").exists()

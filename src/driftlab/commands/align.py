@@ -1,27 +1,32 @@
-"""``python -m driftlab align``: heading, pitch and roll of a unit at rest."""
+"""``python -m driftlab align``: heading, pitch and roll of a unit at rest.
+
+A record is aligned by its means, and by gravity in inertial space. The scatter of its stretches
+says how far noise leaves the means known, and the Earth's own rate what a drift of the gyros may do
+to the heading.
+"""
 
 from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
+from scipy.constants import degree, hour
 
 from driftlab.checks import FloatArray
-from driftlab.conventions import mirror_heading
 from driftlab.core.vectors import wrap_angle
 from driftlab.earth import EARTH_RATE, gravity
-from driftlab.gyrocompass._contradictions import sign_slip
-from driftlab.gyrocompass.inertial_alignment import InertialAlignment
-from driftlab.increments import Increments
+from driftlab.frames import _pitch_and_roll
+from driftlab.gyrocompass._contradictions import NOTHING_KNOWN, rate_contradiction, sign_slip
+from driftlab.gyrocompass.alignment import Alignment, align
+from driftlab.gyrocompass.inertial_alignment import InertialAlignment, align_in_inertial_frame
 from driftlab.recordings.recording import Recording
 
-from .at_rest import FOUND, NO_INERTIAL, STRETCHES, AtRest, Samples, at_rest
 from .example import OPTIONS
-from .findings import Curve, Findings, Plot, Table
-from .numbers import DEG_PER_HOUR, DEGREES, Unit, with_deviation, written
-from .progress import Steps
+from .findings import DEG_PER_HOUR, DEGREES, Curve, Findings, Plot, Step, Table, Unit, written
 from .record import forces, moments, moved_at, rates, record_plots
 
 STEPS = 2
@@ -30,7 +35,28 @@ EXAMPLE = (
     f"python -m driftlab align log.csv {OPTIONS}"
     " --axes FRD --latitude 59.9 --end 60"
 )
-HEAD = ("", "value", "deviation", "unit")
+STRETCHES = 10
+"""The record is aligned in as many parts too."""
+FOUND = Alignment._fields[:5]
+"""What an alignment finds: four angles and the level rate."""
+MOST = np.radians(60.0)
+"""A drift that may turn a heading farther leaves the deviation of one of which nothing is known."""
+SLIPS = {
+    1 / degree: "degrees taken for radians",
+    degree: "radians taken for degrees",
+    hour: "deg/h taken for deg/s",
+    1 / hour: "deg/s taken for deg/h",
+}
+"""By the factor that they make of a rate."""
+CLOSE = 1.1
+"""A factor so near to that of a slip may be it."""
+SLACK = np.radians(0.1)
+"""What an angle may differ without a word: deflections, places told roughly."""
+UPSIDE_DOWN, STEEP = np.radians([90.0, 60.0])
+"""Roll and pitch beyond which the axes told are doubted: few units are mounted so."""
+WITHIN = 4.3
+"""Of a deviation that stands on two numbers, for 95 errors in 100: Student's distribution."""
+LEVELS = "Pitch and roll come from the accelerometers."
 NOTE = (
     f"Deviations are those of a mean, from {STRETCHES} stretches of the record aligned alone; what "
     "stays the same in all of them, as a bias of an accelerometer, is not in them. That of the "
@@ -40,143 +66,254 @@ SWAYING_NOTE = (
     "The base may sway; the angles are those at the end, with half of the record's drift in "
     "pitch and roll. A bias turns the heading as it does that of the means."
 )
-SLACK = np.radians(0.1)
-"""What an angle may differ without a word: deflections, places told roughly."""
-UPSIDE_DOWN, STEEP = np.radians([90.0, 60.0])
-"""Roll and pitch beyond which the axes told are doubted: few units are mounted so."""
-WITHIN = 4.3
-"""Of a deviation that stands on two numbers, for 95 errors in 100: Student's distribution."""
 
 
-def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Findings:
+@dataclass(frozen=True)
+class AtRest:
+    """What a record at rest says of its attitude, and how far that is known; SI and radians."""
+
+    record: Recording  # in body axes forward, up, right
+    moved: float | None  # when the unit did not stay where it was
+    times: FloatArray  # (10,), middles of the stretches
+    rate: FloatArray  # (3,), mean
+    # Of the record, of the stretches (10,), and standard deviations of that of the record. Where
+    # the gyros do not see the Earth all but pitch and roll is NaN.
+    whole: Alignment
+    parts: Alignment
+    deviation: Alignment
+    blind: str  # why the means give no heading, in a sentence; empty if they do
+    biased: bool  # no other method mends that: it is the gyros' own fault, or the unit was moved
+    swaying: InertialAlignment | None  # by gravity in inertial space
+    why_not: str  # in a sentence, why there is none
+    # Deviation of the gyros' drift, as those rates show it that the Earth's are known for; NaN if
+    # there is no heading to spoil.
+    drift: float
+    turn: float  # what that across the meridian makes of the heading, at most that of no knowledge
+
+    @property
+    def of_means(self) -> float:
+        """Deviation of the heading of the means: the larger of noise and drift, rad."""
+        return max(self.turn, float(self.deviation.heading))
+
+    @property
+    def tilt(self) -> float:
+        """What the drift makes of pitch and roll at the end, from the middle of the record, rad."""
+        return self.drift * self.record.duration / 2
+
+
+def find(recording: Recording, options: argparse.Namespace, step: Step) -> Findings:
     """Align a record, and say how far it can be believed."""
     if not recording.axes:
         raise ValueError("--axes: expected the body axes, FRD say, because a heading needs them.")
     if len(recording) < STRETCHES:
         raise ValueError(f"log: expected at least {STRETCHES} rows, got {len(recording)}.")
     step("align")
-    known = recording.in_axes("FUR")
-    increments, why_not = _increments(known)
-    samples = Samples(
-        times=moments(known),
-        rate=rates(known),
-        force=forces(known),
-        increments=increments,
-        why_not=why_not,
-        moved=moved_at(known),
-        duration=known.duration,
-        latitude=known.latitude,
-        gravity=known.gravity,
-        axes=recording.axes,
-    )
-    found = at_rest(samples)
+    found = at_rest(recording.in_axes("FUR"))
     step("plots")
     return Findings(
         "Alignment at rest",
         tuple(_tables(found)),
         tuple(filter(None, _sentences(found))),
-        () if samples.moved is not None else tuple(_doubts(found)),
+        tuple(_doubts(found, recording.axes)) if found.moved is None else (),
         (*record_plots(recording), *_plots(found)),
         values=_values(found),
         columns=_columns(found),
     )
 
 
-def _increments(known: Recording) -> tuple[Increments | None, str]:
-    """What gravity in inertial space is found from, or why it cannot be."""
-    if known.latitude is None:
+def at_rest(record: Recording) -> AtRest:
+    """Align a record in both ways, and say what noise and drift leave of its headings."""
+    rows = moments(record), rates(record), forces(record)
+    stretches = [[part.mean(axis=0) for part in np.array_split(each, STRETCHES)] for each in rows]
+    times, rate, force = map(np.stack, stretches)
+    moved = moved_at(record)
+    if moved is None:
+        blind, biased = blindness(rate)
+    else:  # a reason that goes before all others
+        biased, blind = True, (
+            f"No heading: the unit was moved at {moved:.6g} s. Choose a stretch at rest by --begin "
+            "and --end; pitch and roll, too, are means over all that it did."
+        )  # fmt: skip
+    # The command says in its own words how far the rates can be trusted.
+    method = _levelled if blind else partial(align, heading_tolerance=np.inf)
+    whole, parts = method(*(each.mean(axis=0) for each in rows[1:])), method(rate, force)
+    scatter = [getattr(parts, name) - getattr(whole, name) for name in FOUND]
+    scatter[:4] = map(wrap_angle, scatter[:4])
+    deviation = [np.sqrt((each**2).sum() / (STRETCHES - 1) / STRETCHES) for each in scatter]
+    swaying, why_not = (None, "") if biased else _in_inertial_space(record)
+    drift = turn = np.nan
+    if not blind or swaying is not None:
+        level = swaying.level_rate if blind and swaying else whole.level_rate
+        up = None if blind else level * np.tan(whole.latitude)
+        seen = rate_contradiction(level, up, record.latitude)
+        drift, doubt = float(seen.spurious_rate), float(seen.heading_doubt)
+        turn = NOTHING_KNOWN if doubt > MOST else doubt
+    return AtRest(
+        record=record,
+        moved=moved,
+        times=times,
+        rate=rate.mean(axis=0),
+        whole=whole,
+        parts=parts,
+        deviation=Alignment(*deviation),
+        blind=blind,
+        biased=biased,
+        swaying=swaying,
+        why_not=why_not,
+        drift=drift,
+        turn=turn,
+    )
+
+
+def _levelled(rate: FloatArray, force: FloatArray) -> Alignment:
+    """Pitch and roll alone."""
+    pitch, roll = _pitch_and_roll(force / np.linalg.norm(force, axis=-1, keepdims=True))
+    unknown = np.full(np.shape(pitch), np.nan)
+    return Alignment(unknown, pitch, roll, unknown, unknown)
+
+
+def _in_inertial_space(record: Recording) -> tuple[InertialAlignment | None, str]:
+    """The alignment that lets the base sway, or why there is none."""
+    if record.latitude is None:
         return None, (
             "With the latitude told (--latitude) the heading can also be found on a base that "
             "sways, by gravity in inertial space."
         )
     try:
-        return known.increments(), ""
+        return align_in_inertial_frame(record.increments(), record.latitude), ""
     except ValueError as error:
-        return None, f"{NO_INERTIAL}{error}"
+        return None, f"Gravity in inertial space gives no heading: {error}"
 
 
-def compass(heading: Any) -> FloatArray:
+def blindness(rate: FloatArray) -> tuple[str, bool]:
+    """Why means (n, 3) of gyros do not see the Earth turn, and whether the gyros are the reason.
+
+    A rate of the wrong size has an error at least as large as the difference: half the Earth's rate
+    may turn the heading by half a radian and more. Empty and False if they see it.
+    """
+    found = float(np.linalg.norm(rate.mean(axis=0)))
+    noise = float(rate.std(axis=0, ddof=1).max() / np.sqrt(len(rate)))
+    shown, earth, spread = (DEG_PER_HOUR.text(x, digits=4) for x in (found, EARTH_RATE, noise))
+    if abs(found - EARTH_RATE) > max(EARTH_RATE / 2, 3 * noise):
+        return (
+            f"No heading: at rest the gyros show {shown} deg/h, and the Earth turns by {earth} "
+            f"deg/h. {_reason(found / EARTH_RATE)} {LEVELS}"
+        ), True
+    if noise > EARTH_RATE / 5:
+        return (
+            f"No heading from the means: they are known to {spread} deg/h only, and the Earth "
+            f"turns by {earth} deg/h. The base was not still, or the record is too short for such "
+            f"gyros. {LEVELS}"
+        ), False
+    return "", False
+
+
+def _reason(factor: float) -> str:
+    """What makes a rate wrong by a factor."""
+    reason = (
+        "the logger has taken the bias off already, and with it the Earth's rate."
+        if factor < 1
+        else "their biases hide it; a compass needs gyros whose biases are a small part of the "
+        "Earth's rate."
+    )
+    slips = [slip for one, slip in SLIPS.items() if 1 / CLOSE < factor / one < CLOSE]
+    if not slips:
+        return reason[0].upper() + reason[1:]
+    ratio = f"{factor:.3g} times" if factor > 1 else f"1/{1 / factor:.3g} of"
+    return f"That is {ratio} the Earth's rate: {slips[0]}? Or {reason}"
+
+
+def _compass(heading: Any) -> FloatArray:
     """A heading of the book as a compass card has it, from North to East, 0 to 2 pi."""
-    return np.mod(mirror_heading(heading), 2 * np.pi)
+    return np.mod(wrap_angle(-heading), 2 * np.pi)
 
 
 def _tables(found: AtRest) -> Iterator[Table]:
-    whole, deviation, told = found.whole, found.deviation, found.samples.latitude
-    rows = [] if found.blind else _heading_rows(whole.heading, found.of_means)
-    rows += [
-        _row("pitch, bow up", whole.pitch, deviation.pitch),
-        _row("roll, right side down", whole.roll, deviation.roll),
-    ]
-    if not found.blind:
-        rows.append(_row("latitude found", whole.latitude, deviation.latitude))
-        if told is not None:
-            rows.append(_row("latitude told", told))
-        rows.append(_row("level rate found", whole.level_rate, deviation.level_rate, DEG_PER_HOUR))
-        if told is not None:
-            level = EARTH_RATE * np.cos(told)
-            rows.append(_row("level rate of the Earth there", level, None, DEG_PER_HOUR))
-    rows += [
-        _row("whole rate found", np.linalg.norm(found.rate), None, DEG_PER_HOUR),
-        _row("whole rate of the Earth", EARTH_RATE, None, DEG_PER_HOUR),
-    ]
-    yield Table("From the means of the record", HEAD, tuple(rows), NOTE)
-    swaying = found.swaying
-    if swaying is not None:
-        rows = [
-            *_heading_rows(swaying.heading, found.in_inertial_space),
-            _row("pitch, bow up", swaying.pitch, found.tilt),
-            _row("roll, right side down", swaying.roll, found.tilt),
-            _row("level rate found", swaying.level_rate, None, DEG_PER_HOUR),
-        ]
-        yield Table("From gravity in inertial space", HEAD, tuple(rows), SWAYING_NOTE)
+    whole, deviation, latitude = found.whole, found.deviation, found.record.latitude
+    told = np.nan if found.blind or latitude is None else latitude
+    yield _table(
+        "From the means of the record",
+        NOTE,
+        *_heading_rows(whole.heading, found.of_means),
+        ("pitch, bow up", whole.pitch, deviation.pitch, DEGREES),
+        ("roll, right side down", whole.roll, deviation.roll, DEGREES),
+        ("latitude found", whole.latitude, deviation.latitude, DEGREES),
+        ("latitude told", told, None, DEGREES),
+        ("level rate found", whole.level_rate, deviation.level_rate, DEG_PER_HOUR),
+        ("level rate of the Earth there", EARTH_RATE * np.cos(told), None, DEG_PER_HOUR),
+        ("whole rate found", float(np.linalg.norm(found.rate)), None, DEG_PER_HOUR),
+        ("whole rate of the Earth", EARTH_RATE, None, DEG_PER_HOUR),
+    )
+    if (swaying := found.swaying) is not None:
+        yield _table(
+            "From gravity in inertial space",
+            SWAYING_NOTE,
+            *_heading_rows(swaying.heading, _of_swaying(found, swaying)),
+            ("pitch, bow up", swaying.pitch, found.tilt, DEGREES),
+            ("roll, right side down", swaying.roll, found.tilt, DEGREES),
+            ("level rate found", swaying.level_rate, None, DEG_PER_HOUR),
+        )
 
 
-def _heading_rows(heading: Any, deviation: Any) -> list[tuple[str, ...]]:
+def _table(title: str, note: str, *rows: tuple[str, Any, Any, Unit]) -> Table:
+    """Values and their deviations; what is not known (NaN) is left out."""
+    shown = [
+        (
+            name,
+            unit.text(float(value), deviation),
+            "" if deviation is None else unit.text(deviation, deviation),
+            unit.name,
+        )
+        for name, value, deviation, unit in rows
+        if not np.isnan(value)
+    ]
+    return Table(title, ("", "value", "deviation", "unit"), tuple(shown), note)
+
+
+def _heading_rows(heading: Any, deviation: float) -> list[tuple[str, Any, Any, Unit]]:
     return [
-        _row("heading as on a compass card, from North to East", compass(heading), deviation),
-        _row("heading as in the book, from North to West", heading, deviation),
+        ("heading as on a compass card, from North to East", _compass(heading), deviation, DEGREES),
+        ("heading as in the book, from North to West", heading, deviation, DEGREES),
     ]
 
 
-def _row(name: str, value: Any, deviation: Any = None, unit: Unit = DEGREES) -> tuple[str, ...]:
-    return (name, *with_deviation(float(value), deviation, unit))
+def _of_swaying(found: AtRest, swaying: InertialAlignment) -> float:
+    """Deviation of the heading by gravity in inertial space, rad: the larger of noise and drift."""
+    return max(found.turn, float(swaying.deviation))
 
 
 def _sentences(found: AtRest) -> Iterator[str]:
+    shown = DEGREES.text(float(_compass(found.whole.heading)), found.of_means)
     yield found.blind or (
-        f"The bow points to {_points_to(found.whole.heading, found.of_means)} degrees of a compass "
-        "card, which counts from North through East."
+        f"The bow points to {shown} degrees of a compass card, which counts from North through "
+        "East."
     )
     yield found.why_not
     if found.swaying is not None:
         yield from _compared(found, found.swaying)
-    if found.drift is not None:
-        shown = written(found.drift / DEG_PER_HOUR.size, digits=2)
+    if not np.isnan(found.drift):
+        both = not found.blind and found.record.latitude is not None
         source = (
             "Level and upwards the rates differ from the Earth's by"
-            if found.rates == 2
+            if both
             else "The one rate that can be checked differs from the Earth's by"
         )
         yield (
-            f"{source} {shown} deg/h{' (root mean square)' * (found.rates == 2)}. A drift of that "
-            f"size across the meridian turns the heading by {_degrees(found.turn)} degrees, and "
-            "nothing shows it."
+            f"{source} {DEG_PER_HOUR.text(found.drift, digits=2)} deg/h"
+            f"{' (root mean square)' * both}. A drift of that size across the meridian turns the "
+            f"heading by {_degrees(found.turn)} degrees, and nothing shows it."
         )
 
 
-def _points_to(heading: Any, deviation: float) -> str:
-    return with_deviation(float(compass(heading)), deviation, DEGREES)[0]
-
-
 def _degrees(angle: float) -> str:
-    return written(np.degrees(angle), digits=2)
+    return DEGREES.text(angle, digits=2)
 
 
 def _compared(found: AtRest, swaying: InertialAlignment) -> Iterator[str]:
     """Whether both ways give one heading, and one level."""
     whole = found.whole
     if found.blind:
-        shown = _points_to(swaying.heading, found.in_inertial_space)
+        shown = DEGREES.text(float(_compass(swaying.heading)), _of_swaying(found, swaying))
         yield f"By gravity in inertial space the bow points to {shown} degrees of a compass card."
         return
     apart = abs(float(wrap_angle(swaying.heading - whole.heading)))
@@ -199,33 +336,32 @@ def _compared(found: AtRest, swaying: InertialAlignment) -> Iterator[str]:
         )
 
 
-def _doubts(found: AtRest) -> Iterator[str]:
+def _doubts(found: AtRest, axes: str) -> Iterator[str]:
     """What the record says against itself."""
-    told, pitch, roll = found.samples, float(found.whole.pitch), float(found.whole.roll)
+    pitch, roll = float(found.whole.pitch), float(found.whole.roll)
+    latitude, pull = found.record.latitude, found.record.gravity
     if abs(roll) > UPSIDE_DOWN or abs(pitch) > STEEP:
         how = "steeply" if abs(pitch) > STEEP else "upside down"
         yield (
             f"the unit lies {how}: pitch {np.degrees(pitch):.0f}, roll {np.degrees(roll):.0f} "
-            f"degrees. If it did not, its axes are not {told.axes}, or the accelerometers "
+            f"degrees. If it did not, its axes are not {axes}, or the accelerometers "
             "have the other sign."
         )
-    if not found.blind and told.latitude is not None:
-        slip = sign_slip(float(found.whole.latitude), told.latitude, "--latitude")
-        if slip:
+    if latitude is not None and not found.blind:
+        if slip := sign_slip(float(found.whole.latitude), latitude, "--latitude"):
             yield f"{slip}."
-    if found.rates == 2 and found.turn > max(3 * found.deviation.heading, SLACK):
-        bound = WITHIN * found.turn
-        least = f"to less than {_degrees(bound)} degrees" if np.degrees(bound) < 90 else "at all"
-        yield (
-            "the gyros' rates differ from the Earth's by more than noise explains. Do not trust "
-            f"the heading {least}: two rates tell little of the drift of a third, and its "
-            f"error exceeds {WITHIN} deviations once in twenty times. Gyros with biases, or in "
-            "another order or with other signs than the accelerometers, look like this."
-        )
-    pull = told.gravity
-    if pull is None and told.latitude is not None:
-        pull = float(gravity(told.latitude))
-    size = float(np.linalg.norm(found.force))
+        if found.turn > max(3 * found.deviation.heading, SLACK):
+            bound = WITHIN * found.turn
+            least = f"to less than {_degrees(bound)} degrees" if bound < np.pi / 2 else "at all"
+            yield (
+                "the gyros' rates differ from the Earth's by more than noise explains. Do not "
+                f"trust the heading {least}: two rates tell little of the drift of a third, and "
+                f"its error exceeds {WITHIN} deviations once in twenty times. Gyros with biases, "
+                "or in another order or with other signs than the accelerometers, look like this."
+            )
+    if latitude is not None and pull is None:
+        pull = float(gravity(latitude))
+    size = float(np.linalg.norm(forces(found.record).mean(axis=0)))
     if pull is not None and abs(size / pull - 1) > 0.02:
         yield (
             f"the accelerometers show {written(size, digits=4)} m/s^2 at rest, and gravity is "
@@ -246,26 +382,23 @@ def _plots(found: AtRest) -> Iterator[Plot]:
 
 
 def _values(found: AtRest) -> dict[str, Any]:
+    whole, deviation, swaying = found.whole, found.deviation, found.swaying
     values: dict[str, Any] = {
-        name: {"value": getattr(found.whole, name), "deviation": getattr(found.deviation, name)}
+        name: {"value": getattr(whole, name), "deviation": getattr(deviation, name)}
         for name in (("pitch", "roll") if found.blind else FOUND)
     }
     if not found.blind:
         values["heading"]["deviation"] = found.of_means
-        values["heading_noise_deviation"] = found.deviation.heading
-        values["compass_heading"] = {
-            "value": compass(found.whole.heading),
-            "deviation": found.of_means,
-        }
-    if found.drift is not None:
+        values["heading_noise_deviation"] = deviation.heading
+        values["compass_heading"] = values["heading"] | {"value": _compass(whole.heading)}
+    if not np.isnan(found.drift):
         values["heading_bias_deviation"] = found.turn
         values["gyro_drift_deviation"] = found.drift
-    swaying = found.swaying
     if swaying is not None:
         values["in_inertial_space"] = {
             "heading": swaying.heading,
-            "compass_heading": compass(swaying.heading),
-            "deviation": found.in_inertial_space,
+            "compass_heading": _compass(swaying.heading),
+            "deviation": _of_swaying(found, swaying),
             "noise_deviation": swaying.deviation,
             "pitch": swaying.pitch,
             "roll": swaying.roll,
@@ -276,10 +409,13 @@ def _values(found: AtRest) -> dict[str, Any]:
 
 def _columns(found: AtRest) -> dict[str, Any]:
     """The stretches one by one."""
-    parts, columns = found.parts, {"time_s": found.times}
-    if not found.blind:
-        columns["compass_heading_deg"] = np.degrees(compass(parts.heading))
-        columns["latitude_deg"] = np.degrees(parts.latitude)
-        columns["level_rate_deg_per_h"] = parts.level_rate / DEG_PER_HOUR.size
-    angles = {"pitch_deg": np.degrees(parts.pitch), "roll_deg": np.degrees(parts.roll)}
-    return {**columns, **angles}
+    parts = found.parts
+    columns = {
+        "time_s": found.times,
+        "compass_heading_deg": np.degrees(_compass(parts.heading)),
+        "latitude_deg": np.degrees(parts.latitude),
+        "level_rate_deg_per_h": parts.level_rate / DEG_PER_HOUR.size,
+        "pitch_deg": np.degrees(parts.pitch),
+        "roll_deg": np.degrees(parts.roll),
+    }
+    return {name: column for name, column in columns.items() if not np.isnan(column).all()}

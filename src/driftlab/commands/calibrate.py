@@ -5,32 +5,47 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Iterator
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
-from scipy.constants import arcminute, g, milli
+from scipy.constants import degree, g
 
-from driftlab.calibration import calibrate_by_poses, to_json
+from driftlab.calibration import (
+    ImucalMatrices,
+    ImuTkMatrices,
+    KalibrMatrices,
+    PsinsMatrices,
+    RosMatrices,
+    calibrate_by_poses,
+    imu_errors_in_frame,
+    to_json,
+)
 from driftlab.calibration.body_axes import POSE_AXES
 from driftlab.calibration.poses import PoseCalibration
 from driftlab.checks import FloatArray
+from driftlab.earth import EARTH_RATE
+from driftlab.imu import ImuErrors
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rest_detection import Rests, rests
 
-from .calibration_tables import (
-    KINDS,
-    consistency_table,
-    excess_text,
-    rests_table,
-    sensitivity_table,
-    triad_table,
-)
 from .example import OPTIONS
-from .findings import Curve, Findings, Plot
-from .matrix_forms import FORMS, form_tables, form_values
-from .numbers import FORCES, RATES, written
+from .findings import (
+    AXES,
+    FORCES,
+    RATES,
+    SCALES,
+    SMALL_ANGLES,
+    Curve,
+    Findings,
+    Plot,
+    Step,
+    Table,
+    Unit,
+    fitting,
+    written,
+)
 from .options import number
-from .progress import Steps
 from .record import forces, record_plots
 
 STEPS = 3
@@ -38,6 +53,27 @@ EXAMPLE = (
     "python -m driftlab example log.csv\n"
     f"python -m driftlab calibrate log.csv {OPTIONS}"
     " --axes FRD --latitude 59.9 --json errors.json"
+)
+MILLI_G, ARCMIN = FORCES[0], SMALL_ANGLES[0]
+TRIADS = {"gyro": RATES, "accelerometer": FORCES}
+"""With the units of their biases."""
+KINDS = {
+    "rests": ("force at rest", FORCES),
+    "moves": ("gravity after a move", SMALL_ANGLES),
+    "rates": ("gyros at rest", RATES),
+}
+"""Of residuals: their names, and the units of their deviations."""
+FORMS: dict[str, tuple[Any, str]] = {
+    "imu-tk": (ImuTkMatrices, "lower triangle accelerometers"),
+    "imucal": (ImucalMatrices, ""),
+    "kalibr": (KalibrMatrices, "accelerometers"),
+    "psins": (PsinsMatrices, ""),
+    "ros": (RosMatrices, ""),
+}
+"""By program, its matrices, and its body axes if the accelerometers fix them by a triangle."""
+NOTE = (
+    "measured = (I + K) true + bias: columns are sensors, 'feels of x' is their entry of K for x, "
+    "a cross-coupling (misalignment)."
 )
 
 
@@ -48,15 +84,15 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "The log of a unit on a turntable goes to\n"
         "driftlab.calibration.calibrate: chapter 08 of the book."
     )
-    group = parser.add_argument_group("rests and axes")
-    group.add_argument(
+    add = parser.add_argument_group("rests and axes").add_argument
+    add(
         "--body-axes",
         default="accelerometers",
         choices=[name.replace(" ", "-") for name in POSE_AXES],
         help="what fixes the axes of the result (default: accelerometers: x along the x "
         "accelerometer, y in the plane of x and y)",
     )
-    group.add_argument(
+    add(
         "--closed",
         action="append",
         type=rest_pair,
@@ -64,18 +100,23 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="I,J",
         help="rests, by number, with the same attitude; may be given several times",
     )
-    group.add_argument(
+    add(
         "--sensitivity",
         action="store_true",
         help="the gyros may feel force: fit nine numbers more, as many small ones need",
     )
-    group.add_argument("--window", type=number, default=1.0, metavar="S", help="that a rest must "
-                       "be quiet in (default: 1)")  # fmt: skip
-    group.add_argument("--multiple", type=number, default=20.0, help="how much more than in the "
-                       "quietest window a rest may scatter (default: 20)")  # fmt: skip
-    group.add_argument("--shortest", type=number, default=1.0, metavar="S", help="shortest rest, "
-                       "settling cut off (default: 1)")  # fmt: skip
-    group.add_argument(
+    for name, default, metavar, text in (
+        ("--window", 1.0, "S", "that a rest must be quiet in (default: 1)"),
+        (
+            "--multiple",
+            20.0,
+            None,
+            "how much more than in the quietest window a rest may scatter (default: 20)",
+        ),
+        ("--shortest", 1.0, "S", "shortest rest, settling cut off (default: 1)"),
+    ):
+        add(name, type=number, default=default, metavar=metavar, help=text)
+    add(
         "--form",
         action="append",
         choices=sorted(FORMS),
@@ -90,7 +131,7 @@ def rest_pair(text: str) -> tuple[int, int]:
     return first, last
 
 
-def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Findings:
+def find(recording: Recording, options: argparse.Namespace, step: Step) -> Findings:
     """Find the rests, fit the errors, and see whether noise explains what is left."""
     forces(recording)  # refuses a log of gyros alone
     step("find the rests")
@@ -111,38 +152,140 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         sensitivity=options.sensitivity,
     )
     step("plots")
-    turns = _turns(found, fit, options.closed)
-    tables = [
-        triad_table(fit, "gyro", RATES),
-        triad_table(fit, "accelerometer", FORCES),
-        consistency_table(fit),
-        *([sensitivity_table(fit)] if options.sensitivity else []),
-    ]
-    details = [rests_table(found, fit, turns), *form_tables(fit.imu_errors, options.form)]
-    shaded = tuple((b * found.interval, e * found.interval) for b, e in found.rows)
+    # The angle left after each rest's move, NaN after the last and where a closed path counts.
+    turns = np.full(len(found), np.nan)
+    moves = [k for k in range(len(found) - 1) if (k, k + 1) not in options.closed]
+    turns[moves] = fit.turn_residuals[: len(moves)]
+    tables = [_triad_table(fit, name) for name in TRIADS]
+    tables.append(_consistency_table(fit))
+    if options.sensitivity:
+        unit = Unit("deg/s for 1 g", degree / g)
+        rows = _matrix_rows(fit.sensitivity, fit.sensitivity_deviations, unit)
+        tables.append(Table("Gyros, of force", ("", *AXES, "unit"), tuple(rows)))
+    details = [_rests_table(found, fit, turns)]
+    details += [_form_table(fit.imu_errors, form) for form in dict.fromkeys(options.form)]
+    times = found.interval * np.array(found.rows)
     return Findings(
         "Calibration by poses",
         tuple(tables),
         tuple(_in_words(fit)),
         tuple(_doubts(fit)),
-        (*record_plots(recording, shaded), *_residual_plots(fit)),
+        (*record_plots(recording, tuple(map(tuple, times))), *_residual_plots(fit)),
         tuple(details),
-        values=_values(fit, found, recording.axes),
-        columns=_columns(found, fit, turns),
+        values=_values(fit, times, recording.axes),
+        columns={
+            "rest": np.arange(1, len(found) + 1),
+            "begin_s": times[:, 0],
+            "end_s": times[:, 1],
+            "force_residual_m_per_s2": fit.force_residuals,
+            "turn_residual_rad": turns,
+        },
     )
 
 
-def _turns(found: Rests, fit: PoseCalibration, closed: list[tuple[int, int]]) -> FloatArray:
-    """Angle left after each rest's move, NaN after the last and where a closed path counts."""
-    turns = np.full(len(found), np.nan)
-    moves = [place for place in range(len(found) - 1) if (place, place + 1) not in closed]
-    turns[moves] = fit.turn_residuals[: len(moves)]
-    return turns
+def _triad_table(fit: PoseCalibration, name: str) -> Table:
+    """Bias, scale, and what each sensor feels of the other axes; columns are sensors."""
+    (bias, error), (bias_spread, error_spread) = (
+        (getattr(each, f"{name}_bias"), getattr(each, f"{name}_error"))
+        for each in (fit.imu_errors, fit.deviations)
+    )
+    scale, across = np.diag(error), error - np.diag(np.diag(error))
+    rows = [
+        _row("bias", bias, bias_spread, fitting(bias, TRIADS[name])),
+        _row("scale error", scale, np.diag(error_spread), fitting(scale, SCALES)),
+    ]
+    for place, row in enumerate(_matrix_rows(error, error_spread, fitting(across, SMALL_ANGLES))):
+        rows.append((*row[: place + 1], "", *row[place + 2 :]))  # a scale error is no angle
+    return Table(f"{name.capitalize()}s", ("", *AXES, "unit"), tuple(rows), NOTE)
+
+
+def _matrix_rows(matrix: FloatArray, spreads: FloatArray, unit: Unit) -> Iterator[tuple[str, ...]]:
+    """What the sensors feel of each axis: the columns of a matrix."""
+    for axis, felt, spread in zip(AXES, matrix.T, spreads.T, strict=True):
+        yield _row(f"feels of {axis}", felt, spread, unit)
+
+
+def _row(name: str, values: FloatArray, spreads: FloatArray, unit: Unit) -> tuple[str, ...]:
+    """Three numbers; where there is no deviation, the choice of axes has made one zero."""
+    known = spreads > 1e-6 * spreads.max()
+    cells = (
+        unit.pair(value, spread) if free else "0 by axes"
+        for value, spread, free in zip(values, spreads, known, strict=True)
+    )
+    return (name, *cells, unit.name)
+
+
+def _consistency_table(fit: PoseCalibration) -> Table:
+    rows, earth = [], {"rests": 0.0, "moves": fit.earth_turn, "rates": EARTH_RATE}
+    for kind, (name, _) in KINDS.items():
+        test = fit.consistency[kind]
+        if np.isnan(test.upper):
+            verdict = "nothing is left to test"
+        elif test.excess:
+            few = test.excess < earth[kind]
+            verdict = "no, but no more than the Earth" if few else "no, there is more"
+        elif test.chi_square > test.upper:
+            verdict = "yes, once the others have theirs"
+        else:
+            verdict = "yes" if test.holds else "no, there is less"
+        square, freedom, low, high = (written(x, digits=3) for x in test[:4])
+        rows.append((name, square, freedom, f"{low} to {high}", verdict))
+    note = "The sum of the squared residuals over those of the noise, and where 95 of 100 lie."
+    head = ("", "chi-square", "freedom", "expected", "")
+    return Table("Does noise explain what is left?", head, tuple(rows), note)
+
+
+def _rests_table(found: Rests, fit: PoseCalibration, turns: FloatArray) -> Table:
+    rows = [
+        (
+            str(place + 1),
+            f"{begin * found.interval:.2f}",
+            f"{end * found.interval:.2f}",
+            written(float(found.loudest[place]), digits=2),
+            MILLI_G.text(fit.force_residuals[place], digits=3),
+            ARCMIN.text(turns[place], digits=3),
+        )
+        for place, (begin, end) in enumerate(found.rows)
+    ]
+    head = ("rest", "from, s", "to, s", "scatter", "force, mg", "turn, arcmin")
+    note = (
+        f"{found.why} Scatter: the most in a window, in units of the quietest. Force: size of the "
+        "corrected force less gravity. Turn: gravity carried to the next rest, against that found."
+    )
+    return Table("Rests", head, tuple(rows), note)
+
+
+def matrices(errors: ImuErrors, form: str) -> dict[str, np.ndarray]:
+    """The matrices and biases of a program, by their names there, in its own body axes."""
+    kind, axes = FORMS[form]
+    if axes:
+        errors, _ = imu_errors_in_frame(errors, axes)
+        # What the rotation leaves of zero; a program may refuse it.
+        half = np.tril if axes == "accelerometers" else np.triu
+        errors = errors._replace(accelerometer_error=half(errors.accelerometer_error))
+    made = kind.from_imu_errors(errors)
+    names = [field.name for field in fields(made) if field.name != "readings"]
+    arrays = {name: np.asarray(getattr(made, name), float) for name in names}
+    return {name: array for name, array in arrays.items() if array.any()}
+
+
+def _form_table(errors: ImuErrors, form: str) -> Table:
+    """The matrices of a program, to read: each is three rows."""
+    rows = []
+    for name, array in matrices(errors, form).items():
+        for row, line in enumerate(np.atleast_2d(array)):
+            cells = (f"{x + 0.0:.7f}" for x in np.round(np.broadcast_to(line, 3), 7))
+            rows.append(("" if row else name, *cells))
+    return Table(f"As {form} has it", ("", "1", "2", "3"), tuple(rows), "SI units.")
 
 
 def _in_words(fit: PoseCalibration) -> Iterator[str]:
-    excess = {kind: test.excess for kind, test in fit.consistency.items() if test.excess}
-    more = [f"{KINDS[kind]} ({excess_text(kind, size)})" for kind, size in excess.items()]
+    more = []
+    for kind, test in fit.consistency.items():
+        if test.excess:
+            name, units = KINDS[kind]
+            unit = fitting(test.excess, units)
+            more.append(f"{name} ({unit.text(test.excess, digits=2)} {unit.name})")
     yield (
         f"There is more than noise in: {', '.join(more)}. The deviations have it in them, as if it "
         "were noise."
@@ -151,8 +294,8 @@ def _in_words(fit: PoseCalibration) -> Iterator[str]:
     )
     yield (
         f"Gravity was taken for {fit.gravity:.6g} m/s^2. In the longest move the Earth turned by "
-        f"{written(fit.earth_turn / arcminute, digits=2)} arcmin: the weights count its rate as "
-        "one of unknown direction."
+        f"{ARCMIN.text(fit.earth_turn, digits=2)} arcmin: the weights count its rate as one of "
+        "unknown direction."
     )
 
 
@@ -166,20 +309,17 @@ def _doubts(fit: PoseCalibration) -> Iterator[str]:
         )
 
 
-def _residual_plots(fit: PoseCalibration) -> tuple[Plot, ...]:
-    force = _points("force less gravity", fit.force_residuals / (milli * g), "o")
-    turn = _points("angle of gravity", fit.turn_residuals / arcminute, "s")
-    return (
-        Plot("What is left of the force at each rest", "rest", "mg", force),
-        Plot("What is left of the turn over each move", "move", "arcmin", turn),
-    )
+def _residual_plots(fit: PoseCalibration) -> Iterator[Plot]:
+    for title, across, unit, name, rows, marker in (
+        ("force at each rest", "rest", MILLI_G, "force less gravity", fit.force_residuals, "o"),
+        ("turn over each move", "move", ARCMIN, "angle of gravity", fit.turn_residuals, "s"),
+    ):
+        x = np.arange(1.0, len(rows) + 1)
+        curve = Curve(name, x, rows / unit.size, marker=marker)
+        yield Plot(f"What is left of the {title}", across, unit.name, (curve,))
 
 
-def _points(name: str, rows: FloatArray, marker: str) -> tuple[Curve, ...]:
-    return (Curve(name, np.arange(1.0, len(rows) + 1), rows, marker=marker),)
-
-
-def _values(fit: PoseCalibration, found: Rests, axes: str) -> dict[str, Any]:
+def _values(fit: PoseCalibration, times: FloatArray, axes: str) -> dict[str, Any]:
     return {
         "model": "measured = (I + K) true + bias; K is gyro_error or accelerometer_error, its rows "
         "are sensors, its columns what they feel of",
@@ -195,19 +335,8 @@ def _values(fit: PoseCalibration, found: Rests, axes: str) -> dict[str, Any]:
         "consistency": {
             kind: {**test._asdict(), "holds": test.holds} for kind, test in fit.consistency.items()
         },
-        "rests": [[b * found.interval, e * found.interval] for b, e in found.rows],
+        "rests": times,
         "force_residuals": fit.force_residuals,
         "turn_residuals": fit.turn_residuals,
-        "forms": form_values(fit.imu_errors),
-    }
-
-
-def _columns(found: Rests, fit: PoseCalibration, turns: FloatArray) -> dict[str, Any]:
-    """The rests one by one."""
-    return {
-        "rest": np.arange(1, len(found) + 1),
-        "begin_s": found.begin * found.interval,
-        "end_s": found.end * found.interval,
-        "force_residual_m_per_s2": fit.force_residuals,
-        "turn_residual_rad": turns,
+        "forms": {form: matrices(fit.imu_errors, form) for form in FORMS},
     }

@@ -7,7 +7,9 @@ the log.
 
 from __future__ import annotations
 
+import argparse
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 from scipy.constants import degree, g, hour, milli
@@ -20,10 +22,9 @@ from driftlab.motion.vehicle import smooth_step
 from driftlab.quaternion import to_rotation_vector
 from driftlab.recordings.recording import Recording
 
-from .findings import Findings, Table
+from .findings import AXES, DEGREES, FORCES, RATES, SCALES, SMALL_ANGLES, Findings, Table, Unit
 from .integrate import attitude_of_angles
-from .numbers import DEGREES, FORCES, RATES, SCALES, SMALL_ANGLES, Unit
-from .record import AXES, forces, moments, rates
+from .record import forces, moments, rates
 
 EXAMPLE = "python -m driftlab example log.csv"
 RATE = 50.0
@@ -50,6 +51,12 @@ NOISE = (2.0 * degree / hour, 0.1 * milli * g)
 OPTIONS = "--columns gx,gy,gz,ax,ay,az --units deg/s,g --time t,s"
 """What must be said of it to any command."""
 HEAD = ("t", "gx", "gy", "gz", "ax", "ay", "az")
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Add the file that this command writes."""
+    parser.add_argument("log", type=Path, help="the file to write")
+    parser.add_argument("--force", action="store_true", help="overwrite a file that is there")
 
 
 def example(seed: int = 1) -> Recording:

@@ -1,17 +1,73 @@
-"""What a command has found: tables and sentences to read, plots, and the numbers themselves."""
+"""What a command has found: numbers in fitting units, tables, plots, and sentences about them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
+from scipy.constants import arcminute, arcsecond, degree, g, hour, micro, milli
 
 from driftlab.checks import FloatArray
 
-Shading = tuple[float, float]
-"""A stretch of the abscissa, from and to."""
+AXES = ("x", "y", "z")
+Step = Callable[[str], None]
+"""Tells that a step of this name begins."""
+
+
+class Unit(NamedTuple):
+    """A unit for the eye, and its size in SI."""
+
+    name: str
+    size: float
+
+    def text(self, value: float, deviation: float | None = None, digits: int = 5) -> str:
+        """A number in SI units as `written` in this one."""
+        spread = None if deviation is None else deviation / self.size
+        return written(value / self.size, spread, digits)
+
+    def pair(self, value: float, deviation: float) -> str:
+        """A number and its deviation."""
+        return f"{self.text(value, deviation)} ± {self.text(deviation, deviation)}"
+
+
+DEGREES = Unit("deg", degree)
+DEG_PER_HOUR = Unit("deg/h", degree / hour)
+RATES = (Unit("deg/s", degree), DEG_PER_HOUR)
+FORCES = (Unit("mg", milli * g), Unit("micro-g", micro * g))
+SCALES = (Unit("%", 0.01), Unit("ppm", micro))
+SMALL_ANGLES = (Unit("arcmin", arcminute), Unit("arcsec", arcsecond))
+
+
+def fitting(values: ArrayLike, units: tuple[Unit, ...]) -> Unit:
+    """The largest unit in which the largest value is at least 0.1; otherwise the smallest."""
+    largest = float(np.nanmax(np.abs(np.asarray(values, float)), initial=0.0))
+    return next((unit for unit in units if largest >= 0.1 * unit.size), units[-1])
+
+
+def written(value: float, deviation: float | None = None, digits: int = 5) -> str:
+    """A number with the decimals that its deviation leaves it: two digits of that.
+
+    Without a deviation, or one that is zero or not known, it gets `digits` significant digits.
+    """
+    if not np.isfinite(value):
+        return "-"
+    if deviation is None or not np.isfinite(deviation) or deviation <= 0:
+        size, digits_known = abs(value), digits
+    else:
+        size, digits_known = deviation, 2
+    if size == 0:
+        return "0"
+    decimals = digits_known - 1 - int(np.floor(np.log10(size)))
+    # A deviation of 0.0996 is written 0.10, which is one decimal fewer.
+    if deviation is not None and round(size, decimals) >= 10.0 ** (digits_known - decimals):
+        decimals -= 1
+    if decimals > 9:
+        return f"{value:.{digits_known - 1}e}"
+    text = f"{round(value, decimals):.{max(decimals, 0)}f}"
+    return text.lstrip("-") if float(text) == 0 else text
 
 
 @dataclass(frozen=True)
@@ -49,7 +105,7 @@ class Plot:
     across: str
     up: str
     curves: tuple[Curve, ...]
-    shaded: tuple[Shading, ...] = ()
+    shaded: tuple[tuple[float, float], ...] = ()  # stretches of the abscissa, from and to
     logarithmic: bool = False
 
 
@@ -67,19 +123,3 @@ class Findings:
     values: Mapping[str, Any] = field(default_factory=dict)
     # Columns of equal length for a CSV, by their headings, which name the units.
     columns: Mapping[str, Any] = field(default_factory=dict)
-
-
-def outline(x: FloatArray, y: FloatArray, bins: int = 500) -> tuple[FloatArray, FloatArray]:
-    """Thin out a long line so that it looks the same: the least and the largest of each bin."""
-    size = len(y) // bins
-    if size < 4:
-        return x, y
-    whole = bins * size
-    parts = y[:whole].reshape(bins, size)
-    seen = np.stack([parts.min(axis=1), parts.max(axis=1)], axis=1).ravel()
-    return np.repeat(x[:whole:size], 2), seen
-
-
-def lines(x: FloatArray, rows: FloatArray, names: tuple[str, str, str]) -> tuple[Curve, ...]:
-    """Three curves of the columns of `rows` (n, 3)."""
-    return tuple(Curve(name, *outline(x, y)) for name, y in zip(names, rows.T, strict=True))

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,11 +19,9 @@ from driftlab.frames import from_euler_angles, to_euler_angles
 from driftlab.quaternion import rotation_angle, to_rotation_vector
 from driftlab.recordings.recording import Recording
 
-from .findings import Findings, Plot, Table, lines
-from .numbers import DEGREES, RATES, with_deviation, written
+from .findings import AXES, DEG_PER_HOUR, DEGREES, Findings, Plot, Step, Table
 from .options import number
-from .progress import Steps
-from .record import AXES, moved_at, rates, record_plots
+from .record import lines, moved_at, rates, record_plots
 
 STEPS = 2
 EXAMPLE = (
@@ -35,14 +33,13 @@ ROUNDING = 1e-12
 ANGLES = ("heading", "pitch", "roll")
 
 
-@dataclass(frozen=True)
-class Flight:
-    """Attitude (n + 1, 4) at times (n + 1,), the start included; what was taken off, left over."""
+class Flight(NamedTuple):
+    """An attitude over time; SI units."""
 
-    times: FloatArray
-    attitude: FloatArray
-    bias: FloatArray
-    left_over: int
+    times: FloatArray  # (n + 1,), the start included
+    attitude: FloatArray  # (n + 1, 4)
+    bias: FloatArray  # (3,), taken off
+    left_over: int  # increments at the end, too few for a step
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -82,17 +79,17 @@ def start_angles(text: str) -> tuple[float, ...]:
     return tuple(np.radians(angles))
 
 
-def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Findings:
+def find(recording: Recording, options: argparse.Namespace, step: Step) -> Findings:
     """Integrate a record, and see whether it closes."""
     step("integrate")
     flight = flown(recording, options.algorithm, options.start, options.still)
     euler = euler_angles(flight.attitude)
-    tables, sentences = [_end_table(euler)], _in_words(flight, recording)
-    values: dict[str, Any] = {}
+    tables, sentences = [_end_table(euler)], [*_sentences(flight, recording)]
+    closing: dict[str, Any] = {}
     if options.closed:
-        table, values, words = _closing(flight)
+        table, closing, words = _closing(flight)
         tables.append(table)
-        sentences += words
+        sentences.append(words)
     step("plots")
     unwrapped = np.degrees(np.unwrap(euler, axis=0))
     plot = Plot("Attitude", "time, s", "deg", lines(flight.times, unwrapped, ANGLES))
@@ -107,7 +104,7 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
             "end_attitude": flight.attitude[-1],
             "gyro_bias": flight.bias,
             "duration": flight.times[-1],
-            **values,
+            **closing,
         },
         columns={
             "time_s": flight.times,
@@ -169,57 +166,49 @@ def euler_angles(attitude: FloatArray) -> FloatArray:
 def _end_table(euler: FloatArray) -> Table:
     names = ("heading, from North to East", "pitch", "roll")
     rows = [
-        (name, written(np.degrees(begin), digits=6), written(np.degrees(end), digits=6), "deg")
+        (name, DEGREES.text(begin, digits=6), DEGREES.text(end, digits=6), "deg")
         for name, begin, end in zip(names, euler[0], euler[-1], strict=True)
     ]
     return Table("Attitude", ("", "at the beginning", "at the end", "unit"), tuple(rows))
 
 
-def _in_words(flight: Flight, recording: Recording) -> list[str]:
-    words = [
+def _sentences(flight: Flight, recording: Recording) -> Iterator[str]:
+    yield (
         "Gyros feel turns against the stars: the attitude is one against inertial space, from "
         "local axes as they stood at the beginning. In this time the Earth turned by "
-        f"{written(np.degrees(EARTH_RATE * flight.times[-1]), digits=3)} degrees."
-    ]
+        f"{DEGREES.text(EARTH_RATE * flight.times[-1], digits=3)} degrees."
+    )
     if flight.bias.any():
-        shown = ", ".join(written(x) for x in np.degrees(flight.bias))
-        words.append(
+        shown = ", ".join(map(DEGREES.text, flight.bias))
+        yield (
             f"Taken off as a bias, with the Earth's rate in it: {shown} deg/s. That is right for "
             "the attitude in which the unit lay."
         )
     if not recording.axes:
-        words.append(
+        yield (
             "The body axes were not told (--axes): heading, pitch and roll turn about the third, "
             "second and first axis of the log."
         )
     if flight.left_over:
-        words.append(
+        yield (
             "Increments left out at the end, too few for a step of the algorithm: "
             f"{flight.left_over}."
         )
-    return words
 
 
-def _closing(flight: Flight) -> tuple[Table, dict[str, Any], list[str]]:
+def _closing(flight: Flight) -> tuple[Table, dict[str, Any], str]:
     """How far the end is from the beginning, as a rotation in body axes."""
     error = multiply(conjugate(flight.attitude[0]), flight.attitude[-1])
     vector, size = to_rotation_vector(error), float(rotation_angle(error))
     duration = flight.times[-1]
-    mean = RATES[1]
     rows = [
-        (
-            name,
-            *with_deviation(float(x), None, DEGREES)[::2],
-            written(float(x / duration / mean.size), digits=4),
-            mean.name,
-        )
+        (name, DEGREES.text(x), "deg", DEG_PER_HOUR.text(x / duration, digits=4), "deg/h")
         for name, x in zip((*AXES, "size"), (*vector, size), strict=True)
     ]
     table = Table("Closing error", ("", "angle", "unit", "over time", "unit"), tuple(rows))
-    earth = np.degrees(EARTH_RATE * duration)
     words = (
         f"The attitude at the end differs from that at the beginning by "
-        f"{written(np.degrees(size), digits=4)} degrees, in body axes at the beginning. The Earth's"
-        f" own part is at most {written(earth, digits=3)} degrees."
+        f"{DEGREES.text(size, digits=4)} degrees, in body axes at the beginning. The Earth's"
+        f" own part is at most {DEGREES.text(EARTH_RATE * duration, digits=3)} degrees."
     )
-    return table, {"closing_error": vector, "closing_angle": size}, [words]
+    return table, {"closing_error": vector, "closing_angle": size}, words

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from importlib import import_module
-from pathlib import Path
+from importlib.util import find_spec
 from types import ModuleType
 from typing import NoReturn
 
@@ -24,12 +24,8 @@ from .options import (
     output_files,
     recording_of,
 )
-from .origin import Origin, origin
-from .outputs import as_csv, as_json, checked_outputs, write
-from .plots import NoMatplotlib, checked_matplotlib
+from .outputs import PLAIN, as_csv, as_json, as_text, checked_outputs, origin, write
 from .progress import steps
-from .report import page
-from .terminal import PLAIN, text
 
 WRONG = 2
 """Exit code for what the reader can mend; argparse has the same."""
@@ -47,15 +43,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         options = parser(given[0] if given else "").parse_args(given)
         found = _made_up(options) if options.command == "example" else _found(options, given)
-        print(text(found), end="", flush=True)
+        print(as_text(found), end="", flush=True)
     except BrokenPipeError:  # "| head" has read enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
-    except (ValueError, NoMatplotlib) as error:
+    except ValueError as error:
         return _refuse(str(error))
     except OSError as error:
         return _refuse(f"{error.filename or 'output'}: {error.strerror}.")
     return 0
+
+
+def _refuse(sentence: str) -> int:
+    print(f"driftlab: {sentence}", file=sys.stderr)
+    return WRONG
 
 
 class Parser(argparse.ArgumentParser):
@@ -87,21 +88,15 @@ def parser(chosen: str = "") -> argparse.ArgumentParser:
             allow_abbrev=False,
         )
         if name == chosen:  # the others need not be imported
-            _complete(one, name)
+            module = command(name)
+            one.epilog = f"example:\n\n{module.EXAMPLE}"
+            if name != "example":
+                add_log_options(one)
+            if hasattr(module, "add_options"):
+                module.add_options(one)
+            if name != "example":
+                add_output_options(one)
     return whole
-
-
-def _complete(one: argparse.ArgumentParser, name: str) -> None:
-    module = command(name)
-    one.epilog = f"example:\n\n{module.EXAMPLE}"
-    if name == "example":
-        one.add_argument("log", type=Path, help="the file to write")
-        one.add_argument("--force", action="store_true", help="overwrite a file that is there")
-        return
-    add_log_options(one)
-    if hasattr(module, "add_options"):
-        module.add_options(one)
-    add_output_options(one)
 
 
 def command(name: str) -> ModuleType:
@@ -111,10 +106,12 @@ def command(name: str) -> ModuleType:
 
 def _found(options: argparse.Namespace, given: list[str]) -> Findings:
     """Read the log, do what the command does, write the files that were asked for."""
-    outputs = output_files(options)
-    checked_outputs(options.log, outputs, options.force)
-    if options.report:
-        checked_matplotlib()
+    checked_outputs(options.log, output_files(options), options.force)
+    if options.report and find_spec("matplotlib") is None:
+        raise ValueError(
+            "--report: expected Matplotlib to draw the plots, got none; install it by "
+            "'pip install matplotlib', or leave --report out."
+        )
     module = command(options.command)
     with readable_again(options.log) as options.log, steps(2 + module.STEPS) as step:
         step("read")
@@ -123,17 +120,16 @@ def _found(options: argparse.Namespace, given: list[str]) -> Findings:
         found = module.find(recording, options, step)
         found = replace(found, warnings=(*warnings, *found.warnings))
         step("write")
-        _write(found, origin(options.log, recording, given, options.date), options)
+        source = origin(recording, options, given)
+        if options.report:
+            from .report import page
+
+            write(options.report, page(found, source, options.title), options.force)
+        if options.json:
+            write(options.json, as_json(found, source), options.force)
+        if options.csv:
+            write(options.csv, as_csv(found), options.force)
     return found
-
-
-def _write(found: Findings, origin: Origin, options: argparse.Namespace) -> None:
-    if options.report:
-        write(options.report, page(found, origin, options.title), options.force)
-    if options.json:
-        write(options.json, as_json(found, origin), options.force)
-    if options.csv:
-        write(options.csv, as_csv(found), options.force)
 
 
 def _made_up(options: argparse.Namespace) -> Findings:
@@ -143,8 +139,3 @@ def _made_up(options: argparse.Namespace) -> Findings:
     record = example()
     write(options.log, as_log(record), options.force)
     return findings(record)
-
-
-def _refuse(sentence: str) -> int:
-    print(f"driftlab: {sentence}", file=sys.stderr)
-    return WRONG

@@ -6,7 +6,6 @@ Titles stand on the page. The pictures are small, so that two go beside each oth
 from __future__ import annotations
 
 import io
-from importlib.util import find_spec
 from typing import Any
 
 from .findings import Plot
@@ -31,19 +30,6 @@ STYLE: dict[Any, Any] = {
     "svg.hashsalt": "driftlab",
 }
 SIZE = (4.4, 2.0)
-
-
-class NoMatplotlib(RuntimeError):
-    """Plots were asked for where Matplotlib is not installed."""
-
-
-def checked_matplotlib() -> None:
-    """Raise `NoMatplotlib` before anything is computed, if nothing can be drawn."""
-    if find_spec("matplotlib") is None:
-        raise NoMatplotlib(
-            "--report: expected Matplotlib to draw the plots, got none; install it by "
-            "'pip install matplotlib', or leave --report out."
-        )
 
 
 def svg(plot: Plot) -> str:

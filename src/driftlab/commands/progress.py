@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 
-Steps = Callable[[str], None]
-"""Tells that a step of this name begins, and the one before is done."""
+from .findings import Step
 
 
 @contextmanager
-def steps(count: int) -> Iterator[Steps]:
+def steps(count: int) -> Iterator[Step]:
     """Count steps of work on a bar at the foot of the terminal."""
     try:
         from tqdm import tqdm

@@ -7,9 +7,8 @@ import numpy as np
 from driftlab.checks import FloatArray
 from driftlab.recordings.recording import Recording
 
-from .findings import Plot, Shading, lines
+from .findings import AXES, Curve, Plot
 
-AXES = ("x", "y", "z")
 WINDOW, FEWEST = 1.0, 20
 """Time of a window, s, and how many of them there must be: of short records they are shorter."""
 FAR = 15.0
@@ -53,14 +52,30 @@ def moved_at(recording: Recording) -> float | None:
     return float(moments(recording)[int(np.argmax(far)) * size]) if far.any() else None
 
 
-def record_plots(recording: Recording, shaded: tuple[Shading, ...] = ()) -> tuple[Plot, ...]:
+def outline(x: FloatArray, y: FloatArray, bins: int = 500) -> tuple[FloatArray, FloatArray]:
+    """Thin out a long line so that it looks the same: the least and the largest of each bin."""
+    size = len(y) // bins
+    if size < 4:
+        return x, y
+    whole = bins * size
+    parts = y[:whole].reshape(bins, size)
+    seen = np.stack([parts.min(axis=1), parts.max(axis=1)], axis=1).ravel()
+    return np.repeat(x[:whole:size], 2), seen
+
+
+def lines(x: FloatArray, rows: FloatArray, names: tuple[str, ...] = AXES) -> tuple[Curve, ...]:
+    """Three curves of the columns of `rows` (n, 3)."""
+    return tuple(Curve(name, *outline(x, y)) for name, y in zip(names, rows.T, strict=True))
+
+
+def record_plots(
+    recording: Recording, shaded: tuple[tuple[float, float], ...] = ()
+) -> tuple[Plot, ...]:
     """The record over time, some stretches of it shaded."""
-    x = moments(recording)
-    note = ", shaded where at rest" if shaded else ""
-    triads = [("Gyros", "deg/s", np.degrees(rates(recording)))]
+    x, note = moments(recording), ", shaded where at rest" if shaded else ""
+    gyros = lines(x, np.degrees(rates(recording)))
+    plots = [Plot(f"Gyros{note}", "time, s", "deg/s", gyros, shaded)]
     if recording.accelerometer is not None:
-        triads.append(("Accelerometers", "m/s²", forces(recording)))
-    return tuple(
-        Plot(f"{name}{note}", "time, s", unit, lines(x, rows, AXES), shaded)
-        for name, unit, rows in triads
-    )
+        shown = lines(x, forces(recording))
+        plots.append(Plot(f"Accelerometers{note}", "time, s", "m/s²", shown, shaded))
+    return tuple(plots)

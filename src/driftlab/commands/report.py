@@ -12,9 +12,8 @@ from html import escape
 from importlib.resources import files
 
 from .findings import Findings, Plot, Table
-from .origin import Origin
+from .outputs import Origin, numeric_columns
 from .plots import svg
-from .terminal import numeric_columns
 
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 LONG = 20
