@@ -1,9 +1,4 @@
-"""``python -m driftlab align``: heading, pitch and roll of a unit at rest.
-
-A record is aligned by its means, and by gravity in inertial space. The scatter of its stretches
-says how far noise leaves the means known, and the Earth's own rate what a drift of the gyros may do
-to the heading.
-"""
+"""``python -m driftlab align``: heading, pitch and roll of a unit at rest."""
 
 from __future__ import annotations
 
@@ -35,27 +30,21 @@ EXAMPLE = (
     f"python -m driftlab align log.csv {OPTIONS}"
     " --axes FRD --latitude 59.9 --end 60"
 )
-STRETCHES = 10
-"""The record is aligned in as many parts too."""
-FOUND = Alignment._fields[:5]
-"""What an alignment finds: four angles and the level rate."""
+STRETCHES = 10  # the record is aligned in as many parts too
+FOUND = Alignment._fields[:5]  # four angles and the level rate
+# A drift that may turn a heading farther leaves the deviation of one of which nothing is known.
 MOST = np.radians(60.0)
-"""A drift that may turn a heading farther leaves the deviation of one of which nothing is known."""
 SLIPS = {
     1 / degree: "degrees taken for radians",
     degree: "radians taken for degrees",
     hour: "deg/h taken for deg/s",
     1 / hour: "deg/s taken for deg/h",
-}
-"""By the factor that they make of a rate."""
-CLOSE = 1.1
-"""A factor so near to that of a slip may be it."""
-SLACK = np.radians(0.1)
-"""What an angle may differ without a word: deflections, places told roughly."""
+}  # by the factor that they make of a rate
+CLOSE = 1.1  # a factor so near to that of a slip may be it
+SLACK = np.radians(0.1)  # what an angle may differ without a word: deflections, places told roughly
+# Roll and pitch beyond which the axes told are doubted: few units are mounted so.
 UPSIDE_DOWN, STEEP = np.radians([90.0, 60.0])
-"""Roll and pitch beyond which the axes told are doubted: few units are mounted so."""
-WITHIN = 4.3
-"""Of a deviation that stands on two numbers, for 95 errors in 100: Student's distribution."""
+WITHIN = 4.3  # deviations, for 95 errors in 100: Student's distribution with two numbers
 LEVELS = "Pitch and roll come from the accelerometers."
 NOTE = (
     f"Deviations are those of a mean, from {STRETCHES} stretches of the record aligned alone; what "
@@ -70,24 +59,24 @@ SWAYING_NOTE = (
 
 @dataclass(frozen=True)
 class AtRest:
-    """What a record at rest says of its attitude, and how far that is known; SI and radians."""
+    """What a record at rest says of its attitude, by its means and by gravity in inertial space.
+
+    The scatter of its stretches says how far noise leaves the means known, and the Earth's own rate
+    what a drift of the gyros may do to the heading. SI and radians.
+    """
 
     record: Recording  # in body axes forward, up, right
     moved: float | None  # when the unit did not stay where it was
     times: FloatArray  # (10,), middles of the stretches
     rate: FloatArray  # (3,), mean
-    # Of the record, of the stretches (10,), and standard deviations of that of the record. Where
-    # the gyros do not see the Earth all but pitch and roll is NaN.
-    whole: Alignment
-    parts: Alignment
-    deviation: Alignment
+    whole: Alignment  # where the gyros do not see the Earth all but pitch and roll is NaN
+    parts: Alignment  # of the stretches (10,)
+    deviation: Alignment  # standard deviations of `whole`
     blind: str  # why the means give no heading, in a sentence; empty if they do
     biased: bool  # no other method mends that: it is the gyros' own fault, or the unit was moved
     swaying: InertialAlignment | None  # by gravity in inertial space
     why_not: str  # in a sentence, why there is none
-    # Deviation of the gyros' drift, as those rates show it that the Earth's are known for; NaN if
-    # there is no heading to spoil.
-    drift: float
+    drift: float  # its deviation, from rates that the Earth's are known for; NaN without a heading
     turn: float  # what that across the meridian makes of the heading, at most that of no knowledge
 
     @property
@@ -127,13 +116,7 @@ def at_rest(record: Recording) -> AtRest:
     stretches = [[part.mean(axis=0) for part in np.array_split(each, STRETCHES)] for each in rows]
     times, rate, force = map(np.stack, stretches)
     moved = moved_at(record)
-    if moved is None:
-        blind, biased = blindness(rate)
-    else:  # a reason that goes before all others
-        biased, blind = True, (
-            f"No heading: the unit was moved at {moved:.6g} s. Choose a stretch at rest by --begin "
-            "and --end; pitch and roll, too, are means over all that it did."
-        )  # fmt: skip
+    blind, biased = _blindness(rate, moved)
     # The command says in its own words how far the rates can be trusted.
     method = _levelled if blind else partial(align, heading_tolerance=np.inf)
     whole, parts = method(*(each.mean(axis=0) for each in rows[1:])), method(rate, force)
@@ -185,15 +168,21 @@ def _in_inertial_space(record: Recording) -> tuple[InertialAlignment | None, str
         return None, f"Gravity in inertial space gives no heading: {error}"
 
 
-def blindness(rate: FloatArray) -> tuple[str, bool]:
-    """Why means (n, 3) of gyros do not see the Earth turn, and whether the gyros are the reason.
+def _blindness(rate: FloatArray, moved: float | None) -> tuple[str, bool]:
+    """Why means (n, 3) of gyros do not see the Earth turn, and whether no other method mends that.
 
-    A rate of the wrong size has an error at least as large as the difference: half the Earth's rate
-    may turn the heading by half a radian and more. Empty and False if they see it.
+    Empty and False if they see it.
     """
+    if moved is not None:
+        return (
+            f"No heading: the unit was moved at {moved:.6g} s. Choose a stretch at rest by --begin "
+            "and --end; pitch and roll, too, are means over all that it did."
+        ), True
     found = float(np.linalg.norm(rate.mean(axis=0)))
     noise = float(rate.std(axis=0, ddof=1).max() / np.sqrt(len(rate)))
     shown, earth, spread = (DEG_PER_HOUR.text(x, digits=4) for x in (found, EARTH_RATE, noise))
+    # Such a rate has an error at least as large as the difference: half the Earth's rate may turn
+    # the heading by half a radian and more.
     if abs(found - EARTH_RATE) > max(EARTH_RATE / 2, 3 * noise):
         return (
             f"No heading: at rest the gyros show {shown} deg/h, and the Earth turns by {earth} "
@@ -210,12 +199,12 @@ def blindness(rate: FloatArray) -> tuple[str, bool]:
 
 def _reason(factor: float) -> str:
     """What makes a rate wrong by a factor."""
-    reason = (
-        "the logger has taken the bias off already, and with it the Earth's rate."
-        if factor < 1
-        else "their biases hide it; a compass needs gyros whose biases are a small part of the "
-        "Earth's rate."
-    )
+    reason = "the logger has taken the bias off already, and with it the Earth's rate."
+    if factor > 1:
+        reason = (
+            "their biases hide it; a compass needs gyros whose biases are a small part of the "
+            "Earth's rate."
+        )
     slips = [slip for one, slip in SLIPS.items() if 1 / CLOSE < factor / one < CLOSE]
     if not slips:
         return reason[0].upper() + reason[1:]
@@ -294,12 +283,12 @@ def _sentences(found: AtRest) -> Iterator[str]:
     if not np.isnan(found.drift):
         both = not found.blind and found.record.latitude is not None
         source = (
-            "Level and upwards the rates differ from the Earth's by"
+            "Level and upwards the rates differ"
             if both
-            else "The one rate that can be checked differs from the Earth's by"
+            else ("The one rate that can be checked differs")
         )
         yield (
-            f"{source} {DEG_PER_HOUR.text(found.drift, digits=2)} deg/h"
+            f"{source} from the Earth's by {DEG_PER_HOUR.text(found.drift, digits=2)} deg/h"
             f"{' (root mean square)' * both}. A drift of that size across the meridian turns the "
             f"heading by {_degrees(found.turn)} degrees, and nothing shows it."
         )
@@ -370,15 +359,12 @@ def _doubts(found: AtRest, axes: str) -> Iterator[str]:
 
 
 def _plots(found: AtRest) -> Iterator[Plot]:
-    if found.blind:
-        return
-    off = np.degrees(wrap_angle(found.whole.heading - found.parts.heading))
-    curves = (
-        Curve("one stretch alone", found.times, off, marker="o"),
-        Curve("the whole", found.times, np.zeros_like(found.times), dashed=True),
-    )
-    title = "Heading of each stretch, less that of the whole"
-    yield Plot(title, "time, s", "deg, to the East", curves)
+    if not found.blind:
+        off = np.degrees(wrap_angle(found.whole.heading - found.parts.heading))
+        alone = Curve("one stretch alone", found.times, off, marker="o")
+        whole = Curve("the whole", found.times, np.zeros_like(found.times), dashed=True)
+        title = "Heading of each stretch, less that of the whole"
+        yield Plot(title, "time, s", "deg, to the East", (alone, whole))
 
 
 def _values(found: AtRest) -> dict[str, Any]:
