@@ -285,7 +285,7 @@ def _sentences(found: AtRest) -> Iterator[str]:
         source = (
             "Level and upwards the rates differ"
             if both
-            else ("The one rate that can be checked differs")
+            else "The one rate that can be checked differs"
         )
         yield (
             f"{source} from the Earth's by {DEG_PER_HOUR.text(found.drift, digits=2)} deg/h"

@@ -26,11 +26,11 @@ EXAMPLE = (
     " --end 60 --csv deviation.csv"
 )
 _ROOT = hour**0.5
+# Of the terms, in their order, as of the units.
 NAMES = (
     *("quantisation Q", "random walk N", "bias instability B"),
     *("rate random walk K", "rate ramp R"),
 )
-"""Of the terms, in their order, as of the units."""
 GYRO_UNITS = (
     Unit("arcsec", arcsecond),
     Unit("deg/√h", degree / _ROOT),
@@ -45,12 +45,10 @@ FORCE_UNITS = (
     Unit("mg/√h", milli * g / _ROOT),
     Unit("mg/h", milli * g / hour),
 )
-SHOWN = 2
-"""The unit of bias instability: that of the deviations."""
-FEWEST = 1000
-"""Rows that an Allan plot needs to show more than the first of its lines."""
+SHOWN = 2  # the unit of bias instability: that of the deviations
+FEWEST = 1000  # rows that an Allan plot needs to show more than the first of its lines
+# With so many degrees of freedom a deviation is known to 16 %; no fit should miss it by half.
 SURE, MISSED = 20, 1.5
-"""With so many degrees of freedom a deviation is known to 16 %; no fit should miss it by half."""
 
 
 @dataclass(frozen=True)

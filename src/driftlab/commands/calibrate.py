@@ -55,14 +55,14 @@ EXAMPLE = (
     " --axes FRD --latitude 59.9 --json errors.json"
 )
 MILLI_G, ARCMIN = FORCES[0], SMALL_ANGLES[0]
-TRIADS = {"gyro": RATES, "accelerometer": FORCES}
-"""With the units of their biases."""
+TRIADS = {"gyro": RATES, "accelerometer": FORCES}  # and the units of their biases
+# Of residuals: their names, and the units of their deviations.
 KINDS = {
     "rests": ("force at rest", FORCES),
     "moves": ("gravity after a move", SMALL_ANGLES),
     "rates": ("gyros at rest", RATES),
 }
-"""Of residuals: their names, and the units of their deviations."""
+# By program, its matrices, and its body axes if the accelerometers fix them by a triangle.
 FORMS: dict[str, tuple[Any, str]] = {
     "imu-tk": (ImuTkMatrices, "lower triangle accelerometers"),
     "imucal": (ImucalMatrices, ""),
@@ -70,7 +70,6 @@ FORMS: dict[str, tuple[Any, str]] = {
     "psins": (PsinsMatrices, ""),
     "ros": (RosMatrices, ""),
 }
-"""By program, its matrices, and its body axes if the accelerometers fix them by a triangle."""
 NOTE = (
     "measured = (I + K) true + bias: columns are sensors, 'feels of x' is their entry of K for x, "
     "a cross-coupling (misalignment)."
@@ -85,6 +84,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "driftlab.calibration.calibrate: chapter 08 of the book."
     )
     add = parser.add_argument_group("rests and axes").add_argument
+    seconds: dict[str, Any] = {"type": number, "default": 1.0, "metavar": "S"}
     add(
         "--body-axes",
         default="accelerometers",
@@ -105,17 +105,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="the gyros may feel force: fit nine numbers more, as many small ones need",
     )
-    for name, default, metavar, text in (
-        ("--window", 1.0, "S", "that a rest must be quiet in (default: 1)"),
-        (
-            "--multiple",
-            20.0,
-            None,
-            "how much more than in the quietest window a rest may scatter (default: 20)",
-        ),
-        ("--shortest", 1.0, "S", "shortest rest, settling cut off (default: 1)"),
-    ):
-        add(name, type=number, default=default, metavar=metavar, help=text)
+    text = "how much more than in the quietest window a rest may scatter (default: 20)"
+    add("--window", **seconds, help="that a rest must be quiet in (default: 1)")
+    add("--multiple", type=number, default=20.0, help=text)
+    add("--shortest", **seconds, help="shortest rest, settling cut off (default: 1)")
     add(
         "--form",
         action="append",
@@ -138,12 +131,12 @@ def find(recording: Recording, options: argparse.Namespace, step: Step) -> Findi
     found = rests(
         recording, window=options.window, multiple=options.multiple, shortest=options.shortest
     )
-    step("fit")
     if recording.gravity is None and recording.latitude is None:
         raise ValueError(
             "--latitude: expected the latitude of the place, degrees, or --gravity, m/s^2, because "
             "gravity is what the accelerometers are held against; got neither."
         )
+    step("fit")
     fit = calibrate_by_poses(
         recording,
         found,

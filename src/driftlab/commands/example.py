@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator
+from io import StringIO
 from pathlib import Path
 
 import numpy as np
@@ -22,35 +23,42 @@ from driftlab.motion.vehicle import smooth_step
 from driftlab.quaternion import to_rotation_vector
 from driftlab.recordings.recording import Recording
 
-from .findings import AXES, DEGREES, FORCES, RATES, SCALES, SMALL_ANGLES, Findings, Table, Unit
+from .findings import (
+    AXES,
+    DEG_PER_HOUR,
+    DEGREES,
+    FORCES,
+    SCALES,
+    SMALL_ANGLES,
+    Findings,
+    Table,
+    Unit,
+)
 from .integrate import attitude_of_angles
 from .record import forces, moments, rates
 
 EXAMPLE = "python -m driftlab example log.csv"
 RATE = 50.0
 LATITUDE = np.radians(59.9)
-ANGLES = tuple(np.radians([40.0, 3.0, -2.0]))
-"""Heading from North to East, pitch and roll of the long rest."""
-REST, POSE, MOVE = 60.0, 4.0, 2.0
-"""The long rest, a short one, and a move between two, s."""
+ANGLES = tuple(np.radians([40.0, 3.0, -2.0]))  # heading (to the East), pitch, roll at first
+REST, POSE, MOVE = 60.0, 4.0, 2.0  # the long rest, a short one, and a move between two, s
+# Moves as rotation vectors in body axes, degrees; one more leads back to the beginning.
 TURNS = (
     *((90, 0, 0), (0, 90, 0), (0, 0, 90), (45, 0, 0), (0, 45, 0), (60, 60, 0), (0, -80, 50)),
     *((0, 0, 135), (90, 0, 0), (0, -60, 30), (-50, 0, 70), (90, 0, 0), (0, 90, 0), (40, 40, 90)),
     *((-90, 0, 0), (0, 120, 0)),
 )
-"""Moves as rotation vectors in body axes, degrees; one more leads back to the beginning."""
+# The accelerometers' matrix is a triangle, so these are the body axes of a calibration as well.
 ERRORS = ImuErrors(
     np.array([0.04, -0.06, 0.03]) * degree / hour,
     np.array([[0.004, -0.0012, 0.0008], [0.0015, -0.003, 0.001], [-0.0006, 0.0009, 0.002]]),
     np.array([4.0, -3.0, 2.0]) * milli * g,
     np.array([[0.003, 0.0, 0.0], [0.0007, -0.002, 0.0], [-0.0005, 0.0009, 0.001]]),
 )
-"""The accelerometers' matrix is a triangle, so these are the body axes of a calibration as well."""
+# Standard deviation of a sample, white: gyros, rad/s, and accelerometers, m/s^2.
 NOISE = (2.0 * degree / hour, 0.1 * milli * g)
-"""Standard deviation of a sample, white: gyros, rad/s, and accelerometers, m/s^2."""
+# What must be said of the log to any command.
 OPTIONS = "--columns gx,gy,gz,ax,ay,az --units deg/s,g --time t,s"
-"""What must be said of it to any command."""
-HEAD = ("t", "gx", "gy", "gz", "ax", "ay", "az")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -108,39 +116,37 @@ def _speed(part: FloatArray) -> FloatArray:
 def as_log(record: Recording) -> str:
     """The record as a CSV in deg/s and g, as loggers write it."""
     rows = np.column_stack([moments(record), np.degrees(rates(record)), forces(record) / g])
-    lines = [",".join(HEAD), *(",".join(f"{x:.8g}" for x in row) for row in rows)]
-    return "\n".join(lines) + "\n"
+    text = StringIO()
+    np.savetxt(text, rows, "%.8g", ",", header="t,gx,gy,gz,ax,ay,az", comments="")
+    return text.getvalue()
 
 
-def _felt(triad: str, error: FloatArray) -> Iterator[tuple[str, FloatArray, Unit]]:
-    """What the other two sensors feel of each axis, as the table of a calibration has it."""
+def _triad(name: str, unit: Unit) -> Iterator[tuple[str, FloatArray, Unit]]:
+    """Errors of a triad, in the order of a calibration's table."""
+    error = getattr(ERRORS, f"{name}_error")
+    yield f"{name} bias x, y, z", getattr(ERRORS, f"{name}_bias"), unit
+    yield f"{name} scale x, y, z", np.diag(error), SCALES[0]
     for place, axis in enumerate(AXES):
         others = [i for i in range(3) if i != place]
         names = " and ".join(AXES[i] for i in others)
-        yield f"{triad} {names} feel of {axis}", error[others, place], SMALL_ANGLES[0]
+        yield f"{name}s {names} feel of {axis}", error[others, place], SMALL_ANGLES[0]
 
 
 def findings(record: Recording) -> Findings:
     """What was put into the log."""
-    heading, pitch, roll = ANGLES
-    rows: list[tuple[str, str, str]] = []
-    for name, value, unit in (
-        ("heading at first, from North to East", heading, DEGREES),
-        ("pitch", pitch, DEGREES),
-        ("roll", roll, DEGREES),
-        ("latitude", LATITUDE, DEGREES),
-        ("gyro bias x, y, z", ERRORS.gyro_bias, RATES[1]),
-        ("gyro scale x, y, z", np.diag(ERRORS.gyro_error), SCALES[0]),
-        *_felt("gyros", ERRORS.gyro_error),
-        ("accelerometer bias x, y, z", ERRORS.accelerometer_bias, FORCES[0]),
-        ("accelerometer scale x, y, z", np.diag(ERRORS.accelerometer_error), SCALES[0]),
-        *_felt("accelerometers", ERRORS.accelerometer_error),
-    ):
-        shown = ", ".join(f"{x:.4g}" for x in np.atleast_1d(value) / unit.size)
-        rows.append((name, shown, unit.name))
+    names = ("heading at first, from North to East", "pitch", "roll", "latitude")
+    angles = [(name, x, DEGREES) for name, x in zip(names, (*ANGLES, LATITUDE), strict=True)]
+    rows = tuple(
+        (name, ", ".join(f"{x:.4g}" for x in np.atleast_1d(value) / unit.size), unit.name)
+        for name, value, unit in (
+            *angles,
+            *_triad("gyro", DEG_PER_HOUR),
+            *_triad("accelerometer", FORCES[0]),
+        )
+    )
     return Findings(
         f"A made-up log, {len(record)} rows at {RATE:g} Hz",
-        (Table("What was put into it", ("", "value", "unit"), tuple(rows)),),
+        (Table("What was put into it", ("", "value", "unit"), rows),),
         (
             f"The unit lies still for {REST:g} s, is turned {len(TURNS)} times by hand with rests "
             "between, and comes back. Columns: time t, s; rates gx, gy, gz, deg/s; forces ax, ay, "

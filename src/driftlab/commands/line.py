@@ -26,9 +26,9 @@ from .options import (
 )
 from .outputs import PLAIN, as_csv, as_json, as_text, checked_outputs, origin, write
 from .progress import steps
+from .report import page
 
-WRONG = 2
-"""Exit code for what the reader can mend; argparse has the same."""
+WRONG = 2  # exit code for what the reader can mend; argparse has the same
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -122,8 +122,6 @@ def _found(options: argparse.Namespace, given: list[str]) -> Findings:
         step("write")
         source = origin(recording, options, given)
         if options.report:
-            from .report import page
-
             write(options.report, page(found, source, options.title), options.force)
         if options.json:
             write(options.json, as_json(found, source), options.force)

@@ -29,16 +29,13 @@ from driftlab.recordings.recording import Recording
 from .findings import Findings, Table
 
 WIDTH = 88
+# What a terminal shows that lacks a sign; others become question marks.
 SIGNS = {"±": "+-", "√": "sqrt ", "²": "^2", "·": "*", "°": "deg"}
-"""What a terminal shows that lacks a sign; others become question marks."""
-PLAIN = "driftlab-plain"
-"""Name of that rule, as a handler of errors of encoding."""
+PLAIN = "driftlab-plain"  # name of that rule, as a handler of errors of encoding
 NUMBER = re.compile(r"(< )?[-+]?\d")
 
 
-def _plain_signs(error: UnicodeError) -> tuple[str, int]:
-    if not isinstance(error, UnicodeEncodeError):
-        raise error
+def _plain_signs(error: Any) -> tuple[str, int]:
     lacking = error.object[error.start : error.end]
     return "".join(SIGNS.get(sign, "?") for sign in lacking), error.end
 

@@ -10,8 +10,8 @@ from typing import Any
 
 from .findings import Plot
 
+# Okabe and Ito's colours, each with a dash pattern and a marker of its own.
 SERIES = (("#0072B2", "-", "o"), ("#D55E00", "--", "s"), ("#009E73", "-.", "^"))
-"""Okabe and Ito's colours, each with a dash pattern and a marker of its own."""
 STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 8,
@@ -29,7 +29,6 @@ STYLE: dict[Any, Any] = {
     "svg.fonttype": "path",
     "svg.hashsalt": "driftlab",
 }
-SIZE = (4.4, 2.0)
 
 
 def svg(plot: Plot) -> str:
@@ -37,32 +36,24 @@ def svg(plot: Plot) -> str:
     import matplotlib
     from matplotlib.figure import Figure
 
-    style = matplotlib.rcParamsDefault.copy()
-    style.update(STYLE)
-    with matplotlib.rc_context(style):
-        figure = Figure(figsize=SIZE, layout="constrained")
+    with matplotlib.rc_context({**matplotlib.rcParamsDefault, **STYLE}):
+        figure = Figure(figsize=(4.4, 2.0), layout="constrained")
         axes = figure.add_subplot()
         for begin, end in plot.shaded:
             axes.axvspan(begin, end, color="#0072B2", alpha=0.12, linewidth=0)
         for curve, (colour, pattern, sign) in zip(plot.curves, SERIES, strict=False):
-            marker = curve.marker or ("" if curve.fitted is None else sign)
+            marker, line = curve.marker, "--" if curve.dashed else pattern
             if curve.fitted is not None:
-                axes.plot(curve.x, curve.fitted, color=colour, linestyle=pattern)
+                axes.plot(curve.x, curve.fitted, color=colour, linestyle=line)
+                marker = sign
+            line = "" if marker else line
             axes.plot(
-                curve.x,
-                curve.y,
-                label=curve.name,
-                color=colour,
-                marker=marker,
-                linestyle="" if marker else "--" if curve.dashed else pattern,
+                curve.x, curve.y, label=curve.name, color=colour, marker=marker, linestyle=line
             )
             if curve.low is not None and curve.high is not None:
                 axes.fill_between(curve.x, curve.low, curve.high, color=colour, alpha=0.15, lw=0)
-        if plot.logarithmic:
-            axes.set_xscale("log")
-            axes.set_yscale("log")
-        axes.set_xlabel(plot.across)
-        axes.set_ylabel(plot.up)
+        scale = "log" if plot.logarithmic else "linear"
+        axes.set(xlabel=plot.across, ylabel=plot.up, xscale=scale, yscale=scale)
         axes.margins(x=0.01)
         if len(plot.curves) > 1:
             axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4, borderaxespad=0.1)

@@ -9,10 +9,9 @@ from driftlab.recordings.recording import Recording
 
 from .findings import AXES, Curve, Plot
 
+# Time of a window, s, and how many of them there must be: of short records they are shorter.
 WINDOW, FEWEST = 1.0, 20
-"""Time of a window, s, and how many of them there must be: of short records they are shorter."""
-FAR = 15.0
-"""In median distances from the median: a window so far from the others is a move."""
+FAR = 15.0  # median distances from the median: a window so far from the others is a move
 
 
 def moments(recording: Recording) -> FloatArray:

@@ -16,21 +16,28 @@ from .outputs import Origin, numeric_columns
 from .plots import svg
 
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
-LONG = 20
-"""Rows of a table that may go on in another column or on another sheet."""
+LONG = 20  # rows of a table that may go on in another column or on another sheet
 
 
 def page(findings: Findings, origin: Origin, title: str = "") -> str:
     """The page, under a title of one's own if there is one."""
     style = files(__package__).joinpath("report.css").read_text(encoding="utf-8")
     head = title or findings.title
+    # The call breaks before an option, and within one only if it is too long.
+    options = re.split(r" (?=--)", origin.call)
     known = [
         ("Date", origin.date or "not told"),
         *(pair for name, digest in origin.files for pair in (("Log", name), ("SHA-256", digest))),
         ("Taken for", origin.log),
         ("Versions", origin.versions),
     ]
-    body = [
+    lines = [
+        "<!DOCTYPE html>",
+        '<html lang="en"><head><meta charset="utf-8">',
+        f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">',
+        '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        f"<title>{escape(head)}</title>",
+        f"<style>\n{style}</style></head><body>",
         f"<h1>{escape(head)}</h1>",
         *([f"<p class='kind'>{escape(findings.title)}</p>"] if title else []),
         "<dl>",
@@ -46,26 +53,10 @@ def page(findings: Findings, origin: Origin, title: str = "") -> str:
         *map(_table, findings.details),
         "</div>",
         "<h2>The call</h2>",
-        f"<pre>{_call(origin.call)}</pre>",
+        f"<pre>{' '.join(f'<span>{escape(part)}</span>' for part in options)}</pre>",
+        "</body></html>\n",
     ]
-    return "\n".join(
-        [
-            "<!DOCTYPE html>",
-            '<html lang="en"><head><meta charset="utf-8">',
-            f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">',
-            '<meta name="viewport" content="width=device-width, initial-scale=1">',
-            f"<title>{escape(head)}</title>",
-            f"<style>\n{style}</style></head><body>",
-            *body,
-            "</body></html>\n",
-        ]
-    )
-
-
-def _call(call: str) -> str:
-    """A command line that breaks before an option, and within one only if it is too long."""
-    parts = re.split(r" (?=--)", call)
-    return " ".join(f"<span>{escape(part)}</span>" for part in parts)
+    return "\n".join(lines)
 
 
 def _table(table: Table) -> str:
@@ -81,10 +72,8 @@ def _table(table: Table) -> str:
 
 
 def _row(tag: str, cells: Sequence[str], right: Sequence[bool]) -> str:
-    row = []
-    for cell, aligned in zip(cells, right, strict=True):
-        kind = " class='number'" if aligned else ""
-        row.append(f"<{tag}{kind}>{escape(cell)}</{tag[:2]}>")
+    kinds = [" class='number'" if aligned else "" for aligned in right]
+    row = (f"<{tag}{kind}>{escape(x)}</{tag[:2]}>" for x, kind in zip(cells, kinds, strict=True))
     return f"<tr>{''.join(row)}</tr>"
 
 
@@ -94,6 +83,5 @@ def _figure(plot: Plot) -> str:
     alternative = f"{plot.title}: {plot.up} against {plot.across}. {names}"
     return (
         f"<figure><figcaption>{escape(plot.title)}</figcaption><img alt='{escape(alternative)}' "
-        f"src='data:image/svg+xml;base64,{picture}'>"
-        "</figure>"
+        f"src='data:image/svg+xml;base64,{picture}'></figure>"
     )
