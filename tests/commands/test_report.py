@@ -5,11 +5,12 @@ import importlib.util
 import os
 import re
 import shlex
+import sys
 
 import numpy as np
 import pytest
 
-from driftlab.commands import line, progress
+from driftlab.commands import line
 from driftlab.commands.example import OPTIONS
 from driftlab.commands.findings import Curve, Findings, Plot, Table
 from driftlab.commands.outputs import Origin
@@ -62,11 +63,14 @@ def test_without_matplotlib_a_sentence_says_what_to_do(refused, example_log, tmp
     assert importlib.util.find_spec("matplotlib") is not None
 
 
-def test_a_bar_needs_a_terminal(capsys):
-    with progress.steps(2) as step:
+@pytest.mark.parametrize("terminal", [True, False])
+def test_steps_are_counted_in_a_terminal_only(terminal, capsys, monkeypatch):
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: terminal)
+    with line.steps(2) as step:
         step("one")
         step("two")
-    assert capsys.readouterr().err == ""
+    shown = [part.split() for part in capsys.readouterr().err.split("\r")]
+    assert shown == ([[], ["one", "1/2"], ["two", "2/2"], [], []] if terminal else [[]])
 
 
 def test_a_long_line_keeps_its_peaks():

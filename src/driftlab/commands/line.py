@@ -5,17 +5,19 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from importlib import import_module
 from importlib.util import find_spec
+from itertools import count
 from types import ModuleType
 from typing import NoReturn
 
 import driftlab
 
 from . import COMMANDS
-from .findings import Findings
+from .findings import Findings, Step
 from .log_files import readable_again
 from .options import (
     add_log_options,
@@ -25,7 +27,6 @@ from .options import (
     recording_of,
 )
 from .outputs import PLAIN, as_csv, as_json, as_text, checked_outputs, origin, write
-from .progress import steps
 from .report import page
 
 WRONG = 2  # exit code for what the reader can mend; argparse has the same
@@ -128,6 +129,22 @@ def _found(options: argparse.Namespace, given: list[str]) -> Findings:
         if options.csv:
             write(options.csv, as_csv(found), options.force)
     return found
+
+
+@contextmanager
+def steps(number: int) -> Iterator[Step]:
+    """Say at the foot of a terminal how far a command has come."""
+    done, seen = count(1), sys.stderr.isatty()
+
+    def step(name: str) -> None:
+        if seen:
+            print(f"\r{name:24.24} {next(done)}/{number}", end="", file=sys.stderr, flush=True)
+
+    try:
+        yield step
+    finally:
+        if seen:
+            print(f"\r{'':40}\r", end="", file=sys.stderr, flush=True)
 
 
 def _made_up(options: argparse.Namespace) -> Findings:
