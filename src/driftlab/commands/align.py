@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -57,7 +56,6 @@ SWAYING_NOTE = (
 )
 
 
-@dataclass(frozen=True)
 class AtRest:
     """What a record at rest says of its attitude, by its means and by gravity in inertial space.
 
@@ -65,29 +63,50 @@ class AtRest:
     what a drift of the gyros may do to the heading. SI and radians.
     """
 
-    record: Recording  # in body axes forward, up, right
-    moved: float | None  # when the unit did not stay where it was
-    times: FloatArray  # (10,), middles of the stretches
-    rate: FloatArray  # (3,), mean
-    whole: Alignment  # where the gyros do not see the Earth all but pitch and roll is NaN
-    parts: Alignment  # of the stretches (10,)
-    deviation: Alignment  # standard deviations of `whole`
-    blind: str  # why the means give no heading, in a sentence; empty if they do
-    biased: bool  # no other method mends that: it is the gyros' own fault, or the unit was moved
-    swaying: InertialAlignment | None  # by gravity in inertial space
-    why_not: str  # in a sentence, why there is none
-    drift: float  # its deviation, from rates that the Earth's are known for; NaN without a heading
-    turn: float  # what that across the meridian makes of the heading, at most that of no knowledge
+    def __init__(self, record: Recording) -> None:
+        """Align a record, in body axes forward, up, right."""
+        self.record, self.moved = record, moved_at(record)
+        rows = moments(record), rates(record), forces(record)
+        stretches = [[part.mean(axis=0) for part in np.array_split(x, STRETCHES)] for x in rows]
+        self.times, rate, force = map(np.stack, stretches)  # times (10,) are middles
+        self.rate = rate.mean(axis=0)
+        # Why the means give no heading; and whether that is the gyros' own fault, or the unit was
+        # moved, so that no other method mends it.
+        self.blind, self.biased = _blindness(rate, self.moved)
+        # The command says in its own words how far the rates can be trusted.
+        method = _levelled if self.blind else partial(align, heading_tolerance=np.inf)
+        # Where the gyros do not see the Earth all but pitch and roll is NaN.
+        self.whole, self.parts = method(*(x.mean(axis=0) for x in rows[1:])), method(rate, force)
+        scatter = [getattr(self.parts, name) - getattr(self.whole, name) for name in FOUND]
+        scatter[:4] = map(wrap_angle, scatter[:4])
+        deviation = [np.sqrt((x**2).sum() / (STRETCHES - 1) / STRETCHES) for x in scatter]
+        self.deviation = Alignment(*deviation)
+        # By gravity in inertial space; or in a sentence why not.
+        self.swaying, self.why_not = (None, "") if self.biased else _in_inertial_space(record)
+        self.drift, self.turn = self._drift()
+        # Deviations: of the headings the larger of noise and drift; of pitch and roll at the end
+        # what the drift makes of them from the middle of the record.
+        self.of_means = max(self.turn, float(self.deviation.heading))
+        noise = np.nan if self.swaying is None else float(self.swaying.deviation)
+        self.in_inertial_space = max(self.turn, noise)
+        self.tilt = self.drift * record.duration / 2
 
-    @property
-    def of_means(self) -> float:
-        """Deviation of the heading of the means: the larger of noise and drift, rad."""
-        return max(self.turn, float(self.deviation.heading))
+    def _drift(self) -> tuple[float, float]:
+        """Deviation of the gyros' drift, rad/s, and what that makes of the heading, rad.
 
-    @property
-    def tilt(self) -> float:
-        """What the drift makes of pitch and roll at the end, from the middle of the record, rad."""
-        return self.drift * self.record.duration / 2
+        The first is from the rates that the Earth's are known for, the second for a drift across
+        the meridian, and at most that of no knowledge. NaN where there is no heading.
+        """
+        latitude = self.record.latitude
+        if not self.blind:
+            level = self.whole.level_rate
+            seen = rate_contradiction(level, level * np.tan(self.whole.latitude), latitude)
+        elif self.swaying is not None:
+            seen = rate_contradiction(self.swaying.level_rate, latitude=latitude)
+        else:
+            return np.nan, np.nan
+        doubt = float(seen.heading_doubt)
+        return float(seen.spurious_rate), NOTHING_KNOWN if doubt > MOST else doubt
 
 
 def find(recording: Recording, options: argparse.Namespace, step: Step) -> Findings:
@@ -97,7 +116,7 @@ def find(recording: Recording, options: argparse.Namespace, step: Step) -> Findi
     if len(recording) < STRETCHES:
         raise ValueError(f"log: expected at least {STRETCHES} rows, got {len(recording)}.")
     step("align")
-    found = at_rest(recording.in_axes("FUR"))
+    found = AtRest(recording.in_axes("FUR"))
     step("plots")
     return Findings(
         "Alignment at rest",
@@ -107,44 +126,6 @@ def find(recording: Recording, options: argparse.Namespace, step: Step) -> Findi
         (*record_plots(recording), *_plots(found)),
         values=_values(found),
         columns=_columns(found),
-    )
-
-
-def at_rest(record: Recording) -> AtRest:
-    """Align a record in both ways, and say what noise and drift leave of its headings."""
-    rows = moments(record), rates(record), forces(record)
-    stretches = [[part.mean(axis=0) for part in np.array_split(each, STRETCHES)] for each in rows]
-    times, rate, force = map(np.stack, stretches)
-    moved = moved_at(record)
-    blind, biased = _blindness(rate, moved)
-    # The command says in its own words how far the rates can be trusted.
-    method = _levelled if blind else partial(align, heading_tolerance=np.inf)
-    whole, parts = method(*(each.mean(axis=0) for each in rows[1:])), method(rate, force)
-    scatter = [getattr(parts, name) - getattr(whole, name) for name in FOUND]
-    scatter[:4] = map(wrap_angle, scatter[:4])
-    deviation = [np.sqrt((each**2).sum() / (STRETCHES - 1) / STRETCHES) for each in scatter]
-    swaying, why_not = (None, "") if biased else _in_inertial_space(record)
-    drift = turn = np.nan
-    if not blind or swaying is not None:
-        level = swaying.level_rate if blind and swaying else whole.level_rate
-        up = None if blind else level * np.tan(whole.latitude)
-        seen = rate_contradiction(level, up, record.latitude)
-        drift, doubt = float(seen.spurious_rate), float(seen.heading_doubt)
-        turn = NOTHING_KNOWN if doubt > MOST else doubt
-    return AtRest(
-        record=record,
-        moved=moved,
-        times=times,
-        rate=rate.mean(axis=0),
-        whole=whole,
-        parts=parts,
-        deviation=Alignment(*deviation),
-        blind=blind,
-        biased=biased,
-        swaying=swaying,
-        why_not=why_not,
-        drift=drift,
-        turn=turn,
     )
 
 
@@ -237,7 +218,7 @@ def _tables(found: AtRest) -> Iterator[Table]:
         yield _table(
             "From gravity in inertial space",
             SWAYING_NOTE,
-            *_heading_rows(swaying.heading, _of_swaying(found, swaying)),
+            *_heading_rows(swaying.heading, found.in_inertial_space),
             ("pitch, bow up", swaying.pitch, found.tilt, DEGREES),
             ("roll, right side down", swaying.roll, found.tilt, DEGREES),
             ("level rate found", swaying.level_rate, None, DEG_PER_HOUR),
@@ -264,11 +245,6 @@ def _heading_rows(heading: Any, deviation: float) -> list[tuple[str, Any, Any, U
         ("heading as on a compass card, from North to East", _compass(heading), deviation, DEGREES),
         ("heading as in the book, from North to West", heading, deviation, DEGREES),
     ]
-
-
-def _of_swaying(found: AtRest, swaying: InertialAlignment) -> float:
-    """Deviation of the heading by gravity in inertial space, rad: the larger of noise and drift."""
-    return max(found.turn, float(swaying.deviation))
 
 
 def _sentences(found: AtRest) -> Iterator[str]:
@@ -302,7 +278,7 @@ def _compared(found: AtRest, swaying: InertialAlignment) -> Iterator[str]:
     """Whether both ways give one heading, and one level."""
     whole = found.whole
     if found.blind:
-        shown = DEGREES.text(float(_compass(swaying.heading)), _of_swaying(found, swaying))
+        shown = DEGREES.text(float(_compass(swaying.heading)), found.in_inertial_space)
         yield f"By gravity in inertial space the bow points to {shown} degrees of a compass card."
         return
     apart = abs(float(wrap_angle(swaying.heading - whole.heading)))
@@ -384,7 +360,7 @@ def _values(found: AtRest) -> dict[str, Any]:
         values["in_inertial_space"] = {
             "heading": swaying.heading,
             "compass_heading": _compass(swaying.heading),
-            "deviation": _of_swaying(found, swaying),
+            "deviation": found.in_inertial_space,
             "noise_deviation": swaying.deviation,
             "pitch": swaying.pitch,
             "roll": swaying.roll,

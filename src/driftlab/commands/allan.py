@@ -16,7 +16,7 @@ from driftlab.noise_terms import TERMS, NoiseFit, fit_noise_terms
 from driftlab.recordings.recording import Recording
 
 from .example import OPTIONS
-from .findings import AXES, Curve, Findings, Plot, Step, Table, Unit, written
+from .findings import AXES, DEG_PER_HOUR, Curve, Findings, Plot, Step, Table, Unit, written
 from .record import forces, moved_at, rates, record_plots
 
 STEPS = 7
@@ -25,26 +25,16 @@ EXAMPLE = (
     f"python -m driftlab allan log.csv {OPTIONS}"
     " --end 60 --csv deviation.csv"
 )
-_ROOT = hour**0.5
-# Of the terms, in their order, as of the units.
-NAMES = (
-    *("quantisation Q", "random walk N", "bias instability B"),
-    *("rate random walk K", "rate ramp R"),
+ROOT, MG = hour**0.5, milli * g
+# Of each term its name, and its units for gyros and for accelerometers.
+_TERMS: tuple[tuple[str, Unit, Unit], ...] = (
+    ("quantisation Q", Unit("arcsec", arcsecond), Unit("mm/s", milli)),
+    ("random walk N", Unit("deg/√h", degree / ROOT), Unit("m/s/√h", 1 / ROOT)),
+    ("bias instability B", DEG_PER_HOUR, Unit("micro-g", micro * g)),
+    ("rate random walk K", Unit("deg/h/√h", DEG_PER_HOUR.size / ROOT), Unit("mg/√h", MG / ROOT)),
+    ("rate ramp R", Unit("deg/h/h", DEG_PER_HOUR.size / hour), Unit("mg/h", MG / hour)),
 )
-GYRO_UNITS = (
-    Unit("arcsec", arcsecond),
-    Unit("deg/√h", degree / _ROOT),
-    Unit("deg/h", degree / hour),
-    Unit("deg/h/√h", degree / hour / _ROOT),
-    Unit("deg/h/h", degree / hour / hour),
-)
-FORCE_UNITS = (
-    Unit("mm/s", milli),
-    Unit("m/s/√h", 1 / _ROOT),
-    Unit("micro-g", micro * g),
-    Unit("mg/√h", milli * g / _ROOT),
-    Unit("mg/h", milli * g / hour),
-)
+NAMES, GYRO_UNITS, FORCE_UNITS = zip(*_TERMS, strict=True)
 SHOWN = 2  # the unit of bias instability: that of the deviations
 FEWEST = 1000  # rows that an Allan plot needs to show more than the first of its lines
 # With so many degrees of freedom a deviation is known to 16 %; no fit should miss it by half.

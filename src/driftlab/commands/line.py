@@ -19,13 +19,7 @@ import driftlab
 from . import COMMANDS
 from .findings import Findings, Step
 from .log_files import readable_again
-from .options import (
-    add_log_options,
-    add_output_options,
-    allowed_doubts,
-    output_files,
-    recording_of,
-)
+from .options import add_log_options, add_output_options, allowed_doubts, recording_of
 from .outputs import PLAIN, as_csv, as_json, as_text, checked_outputs, origin, write
 from .report import page
 
@@ -107,7 +101,8 @@ def command(name: str) -> ModuleType:
 
 def _found(options: argparse.Namespace, given: list[str]) -> Findings:
     """Read the log, do what the command does, write the files that were asked for."""
-    checked_outputs(options.log, output_files(options), options.force)
+    outputs = {f"--{name}": getattr(options, name) for name in ("report", "csv", "json")}
+    checked_outputs(options.log, outputs, options.force)
     if options.report and find_spec("matplotlib") is None:
         raise ValueError(
             "--report: expected Matplotlib to draw the plots, got none; install it by "

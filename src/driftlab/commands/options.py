@@ -31,9 +31,9 @@ def add_log_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "log", type=Path, nargs="+", help="the log; for imu-tk the accelerometers', then the gyros'"
     )
-    group = parser.add_argument_group("what the log holds")
-    group.add_argument("--format", choices=sorted(READERS), default="csv", help="(default: csv)")
-    group.add_argument(
+    add = parser.add_argument_group("what the log holds").add_argument
+    add("--format", choices=sorted(READERS), default="csv", help="(default: csv)")
+    add(
         "--columns",
         type=words,
         metavar="A,B,C[,D,E,F]",
@@ -41,9 +41,9 @@ def add_log_options(parser: argparse.ArgumentParser) -> None:
         "numbers from 1; a minus before one changes its sign (then write --columns=-a,b,c). If all "
         "three accelerometers have the wrong sign, no check can know it",
     )
-    group.add_argument("--gyro", type=words, metavar="A,B,C", help="the gyros alone")
-    group.add_argument("--accelerometer", type=words, metavar="D,E,F", help="the accelerometers")
-    group.add_argument(
+    add("--gyro", type=words, metavar="A,B,C", help="the gyros alone")
+    add("--accelerometer", type=words, metavar="D,E,F", help="the accelerometers")
+    add(
         "--units",
         type=words,
         metavar="U[,V]",
@@ -51,28 +51,26 @@ def add_log_options(parser: argparse.ArgumentParser) -> None:
         "arcsec,mm/s for increments; with the size of a count before it: '1/131 deg/s'; not needed "
         "if the log's head tells them",
     )
-    group.add_argument(
+    add(
         "--zeros",
         type=numbers,
         default=(0.0, 0.0),
         metavar="N,M",
         help="counts that stand for zero, of gyros and accelerometers",
     )
-    group.add_argument(
+    add(
         "--time",
         type=words,
         metavar="COLUMN[,UNIT]",
         help="time stamps, with their unit (s, ms, us, ns, iso) if the head does not tell it",
     )
-    group.add_argument("--rate", type=number, metavar="HZ", help="samples a second, without stamps")
-    group.add_argument("--axes", default="", help="body axes, FRD say: forward, right, down")
-    group.add_argument(
-        "--latitude", type=number, metavar="DEG", help="of the place, North positive"
-    )
-    group.add_argument("--gravity", type=number, metavar="M/S2", help="of the place")
-    group.add_argument("--begin", type=number, metavar="S", help="leave out what is before")
-    group.add_argument("--end", type=number, metavar="S", help="leave out what is after")
-    group.add_argument(
+    add("--rate", type=number, metavar="HZ", help="samples a second, without stamps")
+    add("--axes", default="", help="body axes, FRD say: forward, right, down")
+    add("--latitude", type=number, metavar="DEG", help="of the place, North positive")
+    add("--gravity", type=number, metavar="M/S2", help="of the place")
+    add("--begin", type=number, metavar="S", help="leave out what is before")
+    add("--end", type=number, metavar="S", help="leave out what is after")
+    add(
         "--allow",
         type=words,
         default=(),
@@ -83,20 +81,13 @@ def add_log_options(parser: argparse.ArgumentParser) -> None:
 
 def add_output_options(parser: argparse.ArgumentParser) -> None:
     """Where the findings go besides the terminal."""
-    group = parser.add_argument_group("files to write")
-    group.add_argument("--report", type=Path, metavar="OUT.html", help="a page to print and keep")
-    group.add_argument("--csv", type=Path, metavar="OUT.csv", help="columns for a spreadsheet")
-    group.add_argument(
-        "--json", type=Path, metavar="OUT.json", help="the numbers for another program, SI units"
-    )
-    group.add_argument("--title", default="", help="title of the report: the unit's number, say")
-    group.add_argument("--date", default="", help="a date for the report, as you write it")
-    group.add_argument("--force", action="store_true", help="overwrite files that are there")
-
-
-def output_files(options: argparse.Namespace) -> dict[str, Path | None]:
-    """The files to write, by option."""
-    return {f"--{name}": getattr(options, name) for name in ("report", "csv", "json")}
+    add = parser.add_argument_group("files to write").add_argument
+    add("--report", type=Path, metavar="OUT.html", help="a page to print and keep")
+    add("--csv", type=Path, metavar="OUT.csv", help="columns for a spreadsheet")
+    add("--json", type=Path, metavar="OUT.json", help="the numbers for another program, SI units")
+    add("--title", default="", help="title of the report: the unit's number, say")
+    add("--date", default="", help="a date for the report, as you write it")
+    add("--force", action="store_true", help="overwrite files that are there")
 
 
 def number(text: str) -> float:
@@ -174,19 +165,15 @@ def _check(options: argparse.Namespace) -> None:
             f"32768,32768, got {len(options.zeros)}."
         )
     if options.axes:
-        _check_axes(options.axes)
+        try:
+            checked_axes(options.axes, "--axes", "body")
+        except ValueError:
+            raise ValueError(
+                "--axes: expected three letters of right-handed body axes, as FRD (forward, right, "
+                f"down), FLU, RFU or FUR, got {options.axes!r}."
+            ) from None
     if options.latitude is not None and not abs(options.latitude) <= 90:
         raise ValueError(f"--latitude: expected degrees, at most 90, got {options.latitude:g}.")
-
-
-def _check_axes(axes: str) -> None:
-    try:
-        checked_axes(axes, "--axes", "body")
-    except ValueError:
-        raise ValueError(
-            "--axes: expected three letters of right-handed body axes, as FRD (forward, right, "
-            f"down), FLU, RFU or FUR, got {axes!r}."
-        ) from None
 
 
 def _read_csv(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
@@ -195,11 +182,9 @@ def _read_csv(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
         raise ValueError(
             "--time: expected the column of the time stamps, or --rate in Hz, and not both."
         )
-    time = None
-    if options.time is not None:
-        if len(options.time) > 2:
-            raise ValueError(f"--time: expected COLUMN or COLUMN,UNIT, got {options.time}.")
-        time = options.time[0] if len(options.time) == 1 else tuple(options.time)
+    time = options.time
+    if time is not None and len(time) > 2:
+        raise ValueError(f"--time: expected COLUMN or COLUMN,UNIT, got {time}.")
     try:
         return read_csv(
             options.log[0],
@@ -207,7 +192,7 @@ def _read_csv(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
             accelerometer=accelerometer,
             units=options.units,
             zeros=options.zeros,
-            time=time,
+            time=time[0] if time is not None and len(time) == 1 else time,
             rate=options.rate,
             name=options.log[0].name,
             allow=tuple(RULES),

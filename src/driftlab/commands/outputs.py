@@ -119,11 +119,11 @@ def _sum(path: Path) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def as_json(findings: Findings, origin: Origin) -> str:
+def as_json(findings: Findings, source: Origin) -> str:
     """The numbers in SI units and radians, with where they come from."""
     whole = {
         "title": findings.title,
-        "origin": asdict(origin),
+        "origin": asdict(source),
         "units": "SI and radians",
         "values": _as_lists(findings.values),
         "warnings": findings.warnings,
