@@ -124,8 +124,9 @@ def test_a_published_unit_is_calibrated_from_its_publisher_s_files(run, tmp_path
         "--format imu-tk --units '1/4778 rad/s,1/415 m/s^2' --zeros 32768,32768 --gravity 9.81744 "
         "--body-axes lower-triangle-accelerometers --json a.json --end 160"
     )
-    code, _, err = run(f"calibrate {shlex.join(map(str, files))} {words}")
+    code, out, err = run(f"calibrate {shlex.join(map(str, files))} {words}")
     assert (code, err) == (0, "")
+    assert out.count("0 by axes") == 3  # what rounding leaves of them is no number to show
     values = json.loads((tmp_path / "a.json").read_text())["values"]
     found = np.array(values["forms"]["imu-tk"]["gyro_T"])
     published = np.array(IMU_TK[0].gyro_T)
