@@ -24,7 +24,6 @@ from driftlab.imu import NO_ERRORS
 CORES = {
     *("felt_besides", "attitude_of_axes", "step_in_word"),
     *("free_transition", "transition_of_increments", "process_noise"),
-    *("dead_channels", "longest_run", "clipped_rows", "twin_channels"),
 }
 # What functions return, and nobody makes by hand.
 RETURNED = {"HandTurn", "HandTurnFit", "Doubt"}
@@ -70,14 +69,12 @@ def first_call(example: doctest.DocTest, owner: Any, key: str) -> tuple[Any, dic
             return bare(*args, **kwargs)
         bound = signature.bind(*args, **kwargs)
         bound.apply_defaults()
-        several = inspect.Parameter.VAR_POSITIONAL
-        found.append(
-            {
-                n: kept(v)
-                for n, v in bound.arguments.items()
-                if signature.parameters[n].kind != several
-            }
-        )
+        kinds = {n: parameter.kind for n, parameter in signature.parameters.items()}
+        of = inspect.Parameter
+        call = {n: v for n, v in bound.arguments.items() if kinds[n] != of.VAR_POSITIONAL}
+        for n in [n for n in call if kinds[n] == of.VAR_KEYWORD]:
+            call |= call.pop(n)
+        found.append({n: kept(v) for n, v in call.items()})
         raise Called
 
     wrapped = type(original)(stop) if bare is not original else stop

@@ -63,6 +63,8 @@ def slots(door: Door) -> list[Slot]:
     parameters = inspect.signature(door.call).parameters
     found = []
     for name, value in door.arguments.items():
+        if name not in parameters:  # a field of a record that is a door of its own
+            continue
         said = str(parameters[name].annotation)
         if hasattr(value, "_fields") and type(value).__name__ not in MADE_BY_HAND:
             continue

@@ -19,7 +19,7 @@ from driftlab.gyrocompass.type_test import Gyrocompass
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion import Coning, FixedAxis, Scheme, Sway, TableTurn
 from driftlab.noise_terms import NoiseTerms
-from driftlab.recordings import Recording
+from driftlab.recordings import Layout, Recording
 from support import helper_modules
 
 TOLD = {
@@ -36,6 +36,7 @@ TOLD = {
         **{"gyro": np.zeros((2, 3)), "accelerometer": None, "interval": 0.5, "kind": "rates"},
         **{"latitude": 0.75, "gravity": 9.8125},
     },
+    Layout: {"gyro": (1, 2, 3), "rate": 0.5, "latitude": 0.75, "gravity": 9.8125},
     FunctionalIteration: {"name": "mine", "window": 4, "iterations": 2},
     TableTrial: {"sample_interval": 0.0625},
     **{kind: {} for kind in (DesignTask, TurnExperiment, GyroNoise, Gyrocompass)},

@@ -1,16 +1,19 @@
 """Logs in every form that loggers write are read to the last digit, or refused by their line."""
 
+import os
 import re
+import threading
+import tracemalloc
 
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
-from driftlab.recordings import read_csv
+from driftlab.recordings import Layout, read_csv
 from driftlab.recordings._text_form import header
-from driftlab.recordings._text_table import read_table
 from driftlab.recordings._time_stamps import spacing_of_stamps
+from driftlab.recordings.readers import _read_table
 
 GYRO, FORCE = ("gyr_x", "gyr_y", "gyr_z"), ("acc_x", "acc_y", "acc_z")
 UNITS = ("rad/s", "m/s^2")
@@ -33,6 +36,89 @@ def log(tmp_path):
         return read_csv(path, **given)
 
     return read
+
+
+def test_a_layout_is_as_good_as_its_fields_and_serves_many_logs(log, tmp_path):
+    named = log([HEADER, *ROWS], gravity=9.81)
+    layout = Layout(GYRO, FORCE, UNITS, rate=50, gravity=9.81)
+    again = read_csv(tmp_path / "log.csv", layout, rate=100.0)
+    assert_array_equal(again.gyro, named.gyro)
+    assert (again.interval, again.gravity, again.name) == (0.01, 9.81, "log")
+    with pytest.raises(ValueError, match=r"^layout: expected a Layout, got"):
+        read_csv(tmp_path / "log.csv", {"gyro": GYRO})
+
+
+@pytest.fixture(scope="module")
+def long_log():
+    """Values (n, 6) of a log of many blocks, and its lines with a stamp before them."""
+    values = np.random.default_rng(1).normal([0, 0, 0, 0, 0, 20], size=(40_000, 6))
+    return values, [f"{i / 100},{','.join(map(str, row))}" for i, row in enumerate(values.tolist())]
+
+
+@pytest.mark.parametrize(
+    ("form", "code"),
+    [
+        (lambda text: text, "utf-8"),
+        (lambda text: text[:-1], "utf-8-sig"),
+        (lambda text: text, "utf-16"),
+        (lambda text: "# °C\n" + text.replace("\n", "  \r\n") + "# end\r\n", "latin-1"),
+        (lambda text: text.replace(",", ";").replace(".", ","), "utf-8"),
+        (lambda text: '"' + text.replace(",", '","').replace("\n", '"\n"')[:-1], "utf-8"),
+        (lambda text: text.replace("\n", ",ok\n") + ",,,,\n" * 30_000, "utf-8"),
+    ],
+)
+def test_a_long_log_in_any_form_takes_150_bytes_a_row(tmp_path, long_log, form, code):
+    (values, lines), path = long_log, tmp_path / "log.csv"
+    rows = len(values)
+    path.write_text(form("\n".join([HEADER, *lines, ""])), code)
+    tracemalloc.start()
+    try:
+        found = read_csv(
+            path, gyro=GYRO, accelerometer=FORCE, units=UNITS, time=("t", "s"), allow=["force"]
+        )
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert_array_equal(np.hstack([found.gyro, found.accelerometer]), values)
+    assert peak < 150 * rows
+
+
+def test_a_fault_far_behind_is_found_by_its_line(tmp_path, long_log):
+    lines, path = [HEADER, *long_log[1]], tmp_path / "log.csv"
+    lines[39_000] += ",1"
+    path.write_text("\n".join([*lines, ""]))
+    with pytest.raises(ValueError, match=r"^log.csv, line 39001: expected 7 cells as in line 2"):
+        read_csv(path, gyro=GYRO, units="rad/s", time=("t", "s"))
+    lines[39_000] = lines[100]
+    path.write_text("\n".join([*lines, ""]))
+    with pytest.raises(ValueError, match=r"^log.csv, line 39001: expected a time stamp after"):
+        read_csv(path, gyro=GYRO, units="rad/s", time=("t", "s"))
+
+
+@pytest.mark.parametrize("ending", ["csv.gz", "bz2", "xz"])
+def test_text_is_read_whatever_the_name_of_its_file(tmp_path, ending):
+    path = tmp_path / f"log.{ending}"
+    path.write_text("\n".join([HEADER, *ROWS, ""]))
+    assert len(read_csv(path, gyro=GYRO, units="rad/s", rate=100)) == len(ROWS)
+
+
+@pytest.mark.parametrize(("first", "label"), [(2**60 + 1, ""), (2**60 + 1, ",ok"), (10**20, "")])
+def test_whole_numbers_beyond_those_of_floats_are_exact(tmp_path, first, label):
+    path = tmp_path / "log.csv"
+    path.write_text("\n".join(f"{first + i * (10**7 + i)},1,2,{i}{label}" for i in range(9)) + "\n")
+    found = read_csv(path, gyro=(2, 3, 4), units="rad/s", time=(1, "ns"))
+    assert_array_equal(found.times, [1e-9 * (i * (10**7 + i)) for i in range(9)])
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes of a name")
+def test_a_pipe_is_read_once(tmp_path):
+    pipe = tmp_path / "log.csv"
+    os.mkfifo(pipe)
+    writing = threading.Thread(target=pipe.write_text, args=("\n".join([HEADER, *ROWS, ""]),))
+    writing.start()
+    found = read_csv(pipe, gyro=GYRO, units="rad/s", rate=100)
+    writing.join()
+    assert_array_equal(found.gyro[:, 2], [0.3, 0.4, 0.5])
 
 
 def refused(log, words, lines, **changes):
@@ -81,6 +167,7 @@ def test_any_form_is_read_to_the_last_digit(tmp_path_factory, form):
     )
     assert_array_equal(read.gyro, values[:, :3])
     assert_array_equal(read.accelerometer, values[:, 3:])
+    assert read.gyro.flags.c_contiguous  # sums of rows in another order round otherwise
     assert read.interval == 0.02
 
 
@@ -289,7 +376,7 @@ def test_whatever_stands_in_a_file_it_is_read_or_refused_in_a_sentence(tmp_path_
     path.write_text(text)
     reason = ""
     try:
-        table = read_table(path)
+        table = _read_table(path)
         rows = table.numbers(range(table.width))
     except ValueError as error:
         reason = str(error)
@@ -323,12 +410,12 @@ def test_a_last_cell_as_short_as_that_of_any_other_line_is_no_part_of_a_number(l
 def test_two_numbers_in_a_line_are_a_table_and_one_is_none(tmp_path, delimiter):
     path = tmp_path / "log.csv"
     path.write_text("\n".join(delimiter.join(row) for row in (("t", "w"), "12", "34", "")))
-    table = read_table(path)
+    table = _read_table(path)
     assert (table.names, table.width) == (("t", "w"), 2)
     assert_array_equal(table.numbers([0, 1]), [[1, 2], [3, 4]])
     path.write_text("w\n1\n3\n")
     with pytest.raises(ValueError, match=r"^log.csv: expected lines of numbers, got none in 3"):
-        read_table(path)
+        _read_table(path)
 
 
 @pytest.mark.parametrize(

@@ -9,17 +9,18 @@ from scipy.constants import foot
 from scipy.spatial.transform import Rotation
 
 from driftlab.motion.profiles import Coning
-from driftlab.recordings import (
-    PUBLISHED,
-    RULES,
-    Recording,
-    clipped_rows,
-    doubts,
-    gravity_turns,
-    longest_run,
-)
+from driftlab.recordings import PUBLISHED, RULES, Recording, doubts
 from driftlab.recordings._slips import force_factors, gyro_factors
-from driftlab.recordings.units import ACCELEROMETER_UNITS, GYRO_UNITS
+from driftlab.recordings._units import ACCELEROMETER_UNITS, GYRO_UNITS
+from driftlab.recordings.guards import (
+    _BLOCK,
+    _ENOUGH_ROWS,
+    _clipped_rows,
+    _dead_channels,
+    _gravity_turns,
+    _longest_run,
+    _twin_channels,
+)
 from support import recording_or_skip
 
 DEGREE, G = np.pi / 180, 9.80665
@@ -147,11 +148,11 @@ def test_half_a_record_is_as_good_as_the_whole(name):
 def test_gravity_turns_as_the_gyros_of_published_records_say(name):
     """In the whole, and in all pieces of forty seconds that tell anything."""
     recording = recording_or_skip(name)
-    whole = gravity_turns(recording)
+    whole = _gravity_turns(recording)
     assert abs(np.log(whole.factor)) < np.log(1.15)
     assert whole.explained > max(0.9, whole.needed)
     for begin in np.arange(0, recording.duration - 40, 20):
-        piece = gravity_turns(recording.between(begin, begin + 40))
+        piece = _gravity_turns(recording.between(begin, begin + 40))
         if piece is not None and piece.explained > max(0.5, piece.needed):
             assert abs(np.log(piece.factor)) < np.log(2) / 2
             assert (piece.order == np.eye(3)).all()
@@ -178,7 +179,7 @@ def cone(scale, rate=100.0, seconds=60.0):
     "factor", [1.0, 1.25, 1.33, 1 / 1.33, 1.5, 1 / 1.5, 2.0, 57.3, 1 / 57.3, 0.01, 100.0]
 )
 def test_the_factor_of_a_known_motion_is_found(factor):
-    found = gravity_turns(cone(factor))
+    found = _gravity_turns(cone(factor))
     assert found.factor * factor == pytest.approx(1, rel=0.05)
     named = {doubt.rule for doubt in doubts(cone(factor))} - {"rate"}
     less_than_half_way_to_two = abs(np.log2(factor)) < 1 / 2
@@ -209,7 +210,7 @@ def test_an_order_that_changes_less_is_right_if_it_leaves_less_than_twice_as_muc
     # (1 - (1 - 2p)^2 best) / (1 - best) is the ratio.
     best = (ratio - 1) / (ratio - (1 - 2 * p) ** 2)
     d = np.sqrt((1 / best - 1) / (1 - p))
-    found = gravity_turns(nods(about, [1 + d, 1 - d, -1]))
+    found = _gravity_turns(nods(about, [1 + d, 1 - d, -1]))
     right = 1 if ratio < 2 else -1
     assert (found.order == np.diag([1, 1, right])).all()
     share = best if right < 0 else best * (1 - 2 * p) ** 2
@@ -218,7 +219,7 @@ def test_an_order_that_changes_less_is_right_if_it_leaves_less_than_twice_as_muc
 
 @pytest.mark.parametrize("about", [[0, 1, 2], [0, 1], [2, 2, 2, 0], [0, 1, 2] * 7])
 def test_what_is_needed_comes_by_chance_in_one_record_of_a_thousand(about):
-    found = gravity_turns(nods(about, 1.0))
+    found = _gravity_turns(nods(about, 1.0))
     turns = 2 * len(about)
     if turns < 5:
         assert found is None
@@ -233,7 +234,7 @@ def test_gyros_that_have_nothing_to_do_with_it_explain_nothing():
     moved = cone(1.0)
     rng, chance = np.random.default_rng(3), 0
     for _ in range(40):
-        found = gravity_turns(replace(moved, gyro=rng.normal(size=moved.gyro.shape)))
+        found = _gravity_turns(replace(moved, gyro=rng.normal(size=moved.gyro.shape)))
         chance += found is not None and found.explained > found.needed
     assert chance <= 1  # each would, once in a thousand
 
@@ -252,14 +253,14 @@ def test_turns_about_one_axis_leave_the_others_open():
 def test_coarse_steps_and_samples_written_twice_are_not_called_stuck():
     noise = np.random.default_rng(4).normal(size=20_000)
     for channel in (noise.round(), noise.repeat(5), (noise / 3).round()):
-        _, rows, allowed = longest_run(channel)
+        _, rows, allowed = _longest_run(channel)
         assert rows < allowed < 1000
 
 
 def test_the_pulses_of_a_quiet_gyro_are_not_called_clipped():
     rng = np.random.default_rng(6)
     for mean in (0.02, 0.2, 1.0, 3.0):
-        assert clipped_rows(rng.poisson(mean, size=20_000).astype(float))[1] < 2.4
+        assert _clipped_rows(rng.poisson(mean, size=20_000).astype(float))[1] < 2.4
 
 
 def test_a_record_without_accelerometers_is_judged_by_what_it_has():
@@ -380,3 +381,34 @@ def test_the_size_of_a_force_that_is_none_is_that_over_gravity(kind, factor):
     recording = Recording(np.zeros((100, 3)), force, step, kind, gravity=G)
     [doubt] = [doubt for doubt in doubts(recording) if doubt.rule == "force"]
     assert doubt.size == pytest.approx(factor, rel=1e-5)
+
+
+@pytest.mark.parametrize(("rows", "told"), [(_ENOUGH_ROWS, True), (_ENOUGH_ROWS - 1, False)])
+def test_dead_channels_and_twins_are_told_from_a_hundred_rows_on(rows, told):
+    one, other = np.random.default_rng(1).standard_normal((2, rows))
+    channels = np.stack([one, np.full(rows, 3.0), other, 2 - one], axis=1)
+    assert _dead_channels(channels[:, :2], channels[:, 2:]) == [False, told, False, False]
+    assert _twin_channels(channels[:, :2], channels[:, 2:]) == ([(0, 3)] if told else [])
+    assert _dead_channels(np.ones((rows, 2))) == [False, False]  # none of them changes
+
+
+@pytest.mark.parametrize("begin", [0, 1, 7, 15])
+def test_the_longest_run_is_found_wherever_it_begins(begin):
+    channel = np.arange(20.0)
+    channel[begin : begin + 5] = -1
+    assert _longest_run(channel)[:2] == (begin, 5)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("rows", [3, 40, 49, 50, 60, 97])
+def test_a_channel_at_its_extreme_for_half_of_the_time_or_more_rests_there(rows, sign):
+    """Each level below has one row, and one more is counted."""
+    channel = -np.arange(100.0).clip(rows - 1)
+    assert _clipped_rows(sign * channel) == ((rows, rows / 2) if rows < 50 else (0, 0.0))
+
+
+@pytest.mark.parametrize("rows", [_BLOCK - 1, _BLOCK, 2 * _BLOCK + 1])
+def test_twins_are_those_of_the_whole_record(rows):
+    one, other = np.random.default_rng(1).standard_normal((2, rows))
+    late = np.where(np.arange(rows) < rows - 1, one, -one)  # the last row alone differs
+    assert _twin_channels(np.stack([one, other, late, 1e3 - 2 * one], axis=1)) == [(0, 3)]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from driftlab.recordings import psins_header, read_imu_tk, read_psins
+from driftlab.recordings import read_imu_tk, read_psins
 
 ACCELEROMETER = ["0.00 0 100 9800", "0.01 0 100 9810", "0.02 0 200 9790"]
 GYRO = ["0.00 5 6 7", "0.01 5 6 8", "0.02 5 7 7"]
@@ -38,7 +38,7 @@ def test_counts_of_imu_tk_become_si_units(read):
         ({"gyro": [*GYRO[:2], "0.03 5 7 7"]}, "gyro_path: expected the time stamps of acc.mat"),
         ({"gyro": [line[:-2] for line in GYRO]}, "gyro.mat: expected a time stamp and three"),
         ({"gyro": [*GYRO[:2], "0.02 5 7"]}, "gyro.mat, line 3: expected 4 cells as in line 1"),
-        ({"units": ("rad/s",)}, "units: expected two, of gyros and accelerometers"),
+        ({"units": ("rad/s",)}, "units: expected one for each of gyro, accelerometer"),
         ({"units": ("rad", "m/s^2")}, "units: expected rates with specific force"),
         ({"units": ("rad/s", "m/s^2")}, "gyro: accelerometer: expected a median size near gravity"),
     ],
@@ -67,14 +67,14 @@ def test_a_step_of_one_and_a_half_is_no_gap_for_imu_tk_and_more_is(read):
 def test_pulses_of_psins_become_increments(tmp_path):
     path = tmp_path / "ring.imu"
     path.write_text("\n".join(PSINS))
-    recording, header = read_psins(path), psins_header(path)
+    recording = read_psins(path)
     arcsec = np.pi / 648000
     assert_allclose(recording.gyro, [[0.1 * arcsec, -0.4 * arcsec, 0.9 * arcsec]])
     assert_allclose(recording.accelerometer, [[0, 0, 13 * 300e-6 * 9.8]])
-    assert (recording.interval, recording.axes, header.start) == (0.004, "RFU", 5.0)
-    assert_allclose(
-        np.degrees([recording.latitude, header.longitude, header.heading]), [30, 100, 90]
-    )
+    assert (recording.interval, recording.axes, recording.name) == (0.004, "RFU", "ring")
+    assert np.degrees(recording.latitude) == pytest.approx(30)
+    told = read_psins(path, gravity=9.79, licence="MIT")
+    assert (told.gravity, told.licence, told.axes) == (9.79, "MIT", "RFU")
 
 
 @pytest.mark.parametrize(

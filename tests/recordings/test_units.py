@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from driftlab.recordings import accelerometer_unit, gyro_unit, is_unit, time_unit
+from driftlab.recordings._units import accelerometer_unit, gyro_unit, is_unit, spelled, time_unit
 
 DEGREE = np.pi / 180
 ARCSEC = DEGREE / 3600
@@ -63,3 +63,7 @@ def test_units_of_time():
     sizes = {"s": 1.0, "sec": 1.0, "ms": 1e-3, "µs": 1e-6, "us": 1e-6, "ns": 1e-9, "seconds": 1.0}
     assert {text: time_unit(text) for text in sizes} == sizes
     assert not is_unit("x")
+
+
+def test_spellings_of_a_unit_are_one():
+    assert spelled("°/sec") == spelled("dps") == "deg/s"

@@ -9,17 +9,15 @@ import argparse
 import csv
 import re
 import shlex
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from driftlab.axes import checked_axes
-from driftlab.recordings.csv_reader import read_csv
 from driftlab.recordings.guards import RULES, doubts
-from driftlab.recordings.imu_tk_reader import read_imu_tk
-from driftlab.recordings.psins_reader import read_psins
+from driftlab.recordings.layout import Layout
+from driftlab.recordings.readers import read_csv, read_imu_tk, read_psins
 from driftlab.recordings.recording import Recording
 
 LEAST_GRAVITY, MOST_GRAVITY = 9.7, 9.9
@@ -114,12 +112,13 @@ def numbers(text: str) -> tuple[float, ...]:
 def recording_of(options: argparse.Namespace) -> Recording:
     """Read the log as the options describe it."""
     _check(options)
-    place = {
+    known = {
         "axes": options.axes,
         "latitude": None if options.latitude is None else float(np.radians(options.latitude)),
         "gravity": options.gravity,
+        "allow": tuple(RULES),  # `allowed_doubts` looks at them
     }
-    recording = READERS[options.format](options, place)
+    recording = READERS[options.format](options, known)
     if options.begin is None and options.end is None:
         return recording
     begin = 0.0 if options.begin is None else options.begin
@@ -176,7 +175,7 @@ def _check(options: argparse.Namespace) -> None:
         raise ValueError(f"--latitude: expected degrees, at most 90, got {options.latitude:g}.")
 
 
-def _read_csv(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
+def _read_csv(options: argparse.Namespace, known: dict[str, Any]) -> Recording:
     gyro, accelerometer = _triads(options)
     if (options.time is None) == (options.rate is None):
         raise ValueError(
@@ -185,19 +184,11 @@ def _read_csv(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
     time = options.time
     if time is not None and len(time) > 2:
         raise ValueError(f"--time: expected COLUMN or COLUMN,UNIT, got {time}.")
+    told = {name: getattr(options, name) for name in ("units", "zeros", "rate")}
+    told["time"] = time[0] if time is not None and len(time) == 1 else time
+    (log,) = options.log
     try:
-        return read_csv(
-            options.log[0],
-            gyro=gyro,
-            accelerometer=accelerometer,
-            units=options.units,
-            zeros=options.zeros,
-            time=time[0] if time is not None and len(time) == 1 else time,
-            rate=options.rate,
-            name=options.log[0].name,
-            allow=tuple(RULES),
-            **place,
-        )
+        return read_csv(log, Layout(gyro, accelerometer, name=log.name, **told, **known))
     except ValueError as error:  # arguments have the names of options
         raise ValueError(re.sub(r"^(columns|units|time|rate):", r"--\1:", str(error))) from None
 
@@ -225,18 +216,15 @@ def _triads(options: argparse.Namespace) -> tuple[tuple[str, ...], tuple[str, ..
     return gyro, accelerometer
 
 
-def _read_imu_tk(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
-    units = ("rad/s", "m/s^2") if options.units is None else options.units
+def _read_imu_tk(options: argparse.Namespace, known: dict[str, Any]) -> Recording:
     accelerometer, gyro = options.log
-    return read_imu_tk(
-        accelerometer, gyro, units=units, zeros=options.zeros, allow=tuple(RULES), **place
-    )
+    units = {} if options.units is None else {"units": options.units}
+    return read_imu_tk(accelerometer, gyro, zeros=options.zeros, **units, **known)
 
 
-def _read_psins(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
+def _read_psins(options: argparse.Namespace, known: dict[str, Any]) -> Recording:
     """The file knows its place and axes; what is told besides goes before."""
-    recording = read_psins(options.log[0], allow=tuple(RULES))
-    return replace(recording, **{name: told for name, told in place.items() if told})
+    return read_psins(options.log[0], **{name: told for name, told in known.items() if told})
 
 
 READERS = {"csv": _read_csv, "imu-tk": _read_imu_tk, "psins": _read_psins}

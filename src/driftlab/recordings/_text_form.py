@@ -4,34 +4,46 @@ from __future__ import annotations
 
 import codecs
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
-from pathlib import Path
 
-from .units import is_unit
+from ._units import is_unit
 
 NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?|[-+]?(nan|inf(inity)?)", re.I)
 """A number as logs write it, or what some write where they have none."""
 COMMENTS = ("%", "#", "//")
 """What begins a comment."""
+BLANK = ",;\t \n"
+"""Characters of lines that hold nothing."""
 FEW, MANY = 12, 20
 """Columns that a sentence can name all; lines from which their lengths tell something."""
 _SEVERAL_NUMBERS = re.compile(rf"({NUMBER.pattern})(\s+({NUMBER.pattern}))+", re.I)
 
 
-def decoded(content: bytes) -> str:
-    """Return the text of a file, with one kind of line end.
+def code_of(beginning: bytes) -> str:
+    """Return the code of a text by its first lines.
 
     It is UTF-8 with or without a byte order mark, UTF-16 with one, or else Latin-1.
     """
-    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        text = content.decode("utf-16")
-    else:
-        try:
-            text = content.decode("utf-8-sig")
-        except UnicodeDecodeError:  # such as the degree sign of an old program
-            text = content.decode("latin-1")
-    return text.replace("\r\n", "\n").replace("\r", "\n")
+    if beginning.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return "utf-16"
+    try:
+        beginning.decode()
+    except UnicodeDecodeError:  # such as the degree sign of an old program
+        return "latin-1"
+    return "utf-8-sig"
+
+
+def plain(lines: str, delimiter: str | None) -> str:
+    """Return lines of numbers with decimal points, without quotes and comments."""
+    if '"' in lines:
+        # In quotes a comma is decimal even where commas part the cells.
+        lines = re.sub(r'"([^"\n]*)"', lambda cell: cell[1].replace(",", "."), lines)
+    if delimiter != ",":
+        lines = lines.replace(",", ".")
+    if any(mark in lines for mark in COMMENTS):
+        lines = re.sub(r"(^ *//|[%#]).*", "", lines, flags=re.M)
+    return lines
 
 
 def number_delimiter(line: str) -> str | None:
@@ -95,15 +107,18 @@ def header(
     return ("",) * width if any(units) else (), units
 
 
-def refuse_cut(path: Path, lines: list[str], number: int, delimiter: str | None) -> None:
+def refuse_cut(name: str, lines: Iterable[tuple[int, str]], delimiter: str | None) -> None:
     """Refuse a last line whose last cell is shorter than all others, perhaps a number cut off.
 
     Many programs leave out the last end of line, so that alone is no sign.
     """
-    *sizes, last = (len(line.rsplit(delimiter, 1)[-1]) for line in lines if line)
-    if len(sizes) >= MANY and last < min(sizes):
+    line, sizes = (0, ""), []
+    for line in lines:
+        sizes.append(len(line[1].rsplit(delimiter, 1)[-1]))
+    *others, last = sizes
+    if len(others) >= MANY and last < min(others):
         raise ValueError(
-            f"{path.name}, line {number}: expected a last cell of {min(sizes)} characters or "
-            f"more, as in all other lines, or an end of line after it, got {lines[-1]!r:.200}: is "
-            "the file cut off?"
+            f"{name}, line {line[0]}: expected a last cell of {min(others)} characters or more, "
+            f"as in all other lines, or an end of line after it, got {line[1]!r:.200}: is the file "
+            "cut off?"
         )

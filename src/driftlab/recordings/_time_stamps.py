@@ -52,9 +52,10 @@ def spacing_of_stamps(
     # that digit of a line.
     sizes = np.unique(np.round(steps / usual, 9))
     if len(sizes) <= 2 and np.ptp(sizes) <= 0.5:  # no lost sample
-        rows = np.arange(len(stamps))
-        slope, first = np.polyfit(rows, stamps, 1)
-        if np.abs(stamps - first - slope * rows).max() < usual * (np.ptp(sizes) + 1e-6):
+        rows = np.arange(len(stamps)) - (len(stamps) - 1) / 2
+        slope = (rows @ stamps) / (rows @ rows)
+        away = stamps - stamps.mean() - slope * rows
+        if max(away.max(), -away.min()) < usual * (np.ptp(sizes) + 1e-6):
             return float(f"{slope:.12g}"), None
     return float(f"{usual:.9g}"), stamps
 

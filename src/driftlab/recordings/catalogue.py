@@ -40,13 +40,7 @@ class PublishedSet:
 
     @property
     def source(self) -> str:
-        """Authors and repository, as a caption would name them.
-
-        Examples
-        --------
-        >>> PUBLISHED["ferraris-session"].source
-        'A. Küderle, N. Roth, R. Richer: github.com/mad-lab-fau/imucal at 8716e4c50bbb'
-        """
+        """Authors and repository, as a caption would name them."""
         return f"{self.authors}: github.com/{self.repository} at {self.commit[:12]}"
 
 

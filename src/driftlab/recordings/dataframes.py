@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import Any
 
@@ -16,33 +16,14 @@ from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
-from ._record_of_table import Columns, Time, record_of_table
-from ._table_columns import TableColumns
+from ._table import TableColumns, record_of_table
 from ._time_stamps import seconds_since_first
-from ._unit_spellings import spelled
+from ._units import is_unit, spelled
+from .layout import Layout, checked_layout
 from .recording import Recording
-from .units import is_unit
 
 
-def from_dataframe(
-    frame: Any,
-    *,
-    gyro: Columns,
-    accelerometer: Columns | None = None,
-    units: str | Sequence[str] | None = None,
-    zeros: Sequence[float] = (0.0, 0.0),
-    time: Time | None = None,
-    interval: float | None = None,
-    rate: float | None = None,
-    longest_gap: float = 1.5,
-    axes: str = "",
-    latitude: float | None = None,
-    gravity: float | None = None,
-    name: str = "",
-    source: str = "",
-    licence: str = "",
-    allow: Sequence[str] = (),
-) -> Recording:
+def from_dataframe(frame: Any, layout: Layout | None = None, **fields: Any) -> Recording:
     """Take the log of an inertial unit from a table in memory, as `read_csv` does from a file.
 
     Parameters
@@ -51,23 +32,16 @@ def from_dataframe(
         Of pandas or polars, or a Table of pyarrow; a Dataset of xarray with variables along one
         dimension; a DataArray with labelled channels along a second one; or columns by name, each
         an array (n,).
-    gyro, accelerometer : sequence of str or int
-        Three columns each, in the order of the axes: names, without units, or numbers counted
-        from 1, without the index. A minus before either changes the sign. Where columns are named
-        by numbers, as those of pandas are unless one says otherwise, a number that is the name of
-        one and counts another is refused.
-    units, zeros : optional
-        As for `read_csv`. Without `units` they must stand in the names, in brackets, or in the
-        attribute ``units`` of variables of xarray.
-    time : str, int or tuple, optional
-        Column of time stamps, with its unit as for `read_csv`; the index, or the coordinate of
+    layout : Layout, optional
+        What the columns mean, if several tables share it. A number counts columns from 1, without
+        the index; where columns are named by numbers, as those of pandas are unless one says
+        otherwise, a number that is the name of one and counts another is refused. Units may also
+        stand in the attribute ``units`` of variables of xarray. The index, or the coordinate of
         xarray's first dimension, goes by its name, or by "index" if it has none or shares it with a
-        column. Columns of dates and times, or of spans of time, need no unit. If nothing is said of
-        the time, the index is taken, provided that it has dates, times or spans, or says its unit.
-    interval, rate : float, optional
-        Between samples, s, or how many there are in a second, in place of `time`.
-    longest_gap, axes, latitude, gravity, name, source, licence, allow : optional
-        As for `read_csv`.
+        column. Dates and times, or spans of time, need no unit. If nothing is said of the time, the
+        index is taken, provided that it has dates, times or spans, or says its unit.
+    **fields
+        The fields of a `Layout`, or those that differ from `layout`.
 
     Returns
     -------
@@ -82,9 +56,7 @@ def from_dataframe(
 
     See Also
     --------
-    read_csv : From a file.
     rests : Where the unit lay still.
-    Recording.increments : What filters and algorithms take.
 
     Examples
     --------
@@ -96,32 +68,16 @@ def from_dataframe(
     >>> recording.interval, recording.kind, recording.gyro[0].round(4)
     (0.01, 'rates', array([ 1.5708, -0.0175,  0.    ]))
     """
-    table, index = _table_of(frame, name or "table")
-    if time is None and interval is None and rate is None and index is not None:
+    layout = checked_layout(layout, fields)
+    table, index = _table_of(frame, layout.name or "table")
+    if index is not None and layout.time is layout.interval is layout.rate is None:
         if not table.units[index]:
             raise ValueError(
                 "time, interval, rate: expected one of them, or an index of dates, times or spans, "
                 f"got none and an index of {table.values[index].dtype} without a unit."
             )
-        time = table.names[index]
-    return record_of_table(
-        table,
-        gyro=gyro,
-        accelerometer=accelerometer,
-        units=units,
-        zeros=zeros,
-        time=time,
-        interval=interval,
-        rate=rate,
-        longest_gap=longest_gap,
-        axes=axes,
-        latitude=latitude,
-        gravity=gravity,
-        name=name,
-        source=source,
-        licence=licence,
-        allow=allow,
-    )
+        layout = replace(layout, time=table.names[index])
+    return record_of_table(table, layout, "")
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,21 +16,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import permutations, product
+from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import g as STANDARD_GRAVITY
 
-from driftlab.checks import checked_instance, some_of
+from driftlab.checks import FloatArray, checked_instance, some_of
 
-from ._slips import (
-    force_factors as force_factors,
-    force_slips,
-    gyro_factors as gyro_factors,
-    gyro_slips,
-)
-from .channels import CLIPPED_RATIO, clipped_rows, dead_channels, longest_run, twin_channels
+from ._slips import force_slips, gyro_slips
 from .recording import Recording
-from .turns_of_gravity import gravity_turns
 
 RULES = {
     "force": "the median specific force has the size of gravity",
@@ -57,6 +52,43 @@ _MOST_RATE = 1.05 * np.radians(2000)
 """End of the range of most gyros, and the errors of scale of a bad one, rad/s."""
 _LONGEST_GAP = 1.5
 """In usual steps: a lost sample makes 2."""
+_ENOUGH_ROWS = 100
+"""Rows from which something is concluded about a channel."""
+_CHANCE_OF_RUN = 1e-6
+"""Of a run of equal values so long, where runs are as those seen elsewhere in the channel."""
+_CLIPPED_RATIO = 5.0
+"""Values at the extreme for each at the next level; a swing without noise has 1/(√2 - 1) = 2.4."""
+_BLOCK = 1 << 12
+"""Rows that are copied at once."""
+_WINDOW = 0.25
+"""Length of a moment in which the unit may be held still, s."""
+_STEADY, _NEAR = 0.1, 0.2
+"""Still is: specific force spreads less than this, and differs less from its median, in g."""
+_TURN = 0.2
+"""A turn of gravity that counts, in g: eleven degrees."""
+_REST = 0.03
+"""A change of gravity from one window to the next that is none, in g: seven degrees a second."""
+_ENOUGH_TURNS = 5
+"""Turns from which something is concluded."""
+_CHANCE_OF_TURNS = 1e-3
+"""Of taking gravity's turns for explained where the gyros have nothing to do with them."""
+_TIED = 0.01
+"""Share of gravity's turns that a good triad may leave unexplained."""
+_ORDERS = np.array(
+    sorted(
+        (
+            np.eye(3)[list(order)] * np.array(signs)[:, None]
+            for order in permutations(range(3))
+            for signs in product((1, -1), repeat=3)
+        ),
+        key=np.trace,
+        reverse=True,
+    )
+)
+"""Ways (48, 3, 3) to take the columns of a triad in some order and with some signs; those that
+change least stand first."""
+_CROSS = np.cross(np.eye(3)[:, None], np.eye(3)[None])
+"""Entries (j, k, i): component i of the product of unit vectors j and k."""
 
 
 @dataclass(frozen=True)
@@ -71,11 +103,6 @@ class Doubt:
         What was found, and what it may mean. Also the doubt's own text.
     size, threshold : float
         What was measured, and what the rule lets through.
-
-    Examples
-    --------
-    >>> print(Doubt("dead", "gyro x: constant.", 0.0, 0.0))
-    gyro x: constant.
     """
 
     rule: str
@@ -117,36 +144,8 @@ def doubts(recording: Recording) -> tuple[Doubt, ...]:
     return tuple(sorted(found, key=lambda doubt: order.index(doubt.rule)))
 
 
-def without_doubts(recording: Recording, allow: Sequence[str] = ()) -> Recording:
-    """Return a recording if nothing speaks against it but what is allowed.
-
-    Parameters
-    ----------
-    recording : Recording
-        As it was read.
-    allow : sequence of str
-        Names of `RULES` that it may break.
-
-    Returns
-    -------
-    Recording
-        The same.
-
-    Raises
-    ------
-    ValueError
-        With the sentences of the doubts; or if there is no such rule.
-
-    Examples
-    --------
-    >>> fast = Recording(np.full((9, 3), 90.0), None, 0.01, "rates", name="log")
-    >>> without_doubts(fast)  # doctest: +NORMALIZE_WHITESPACE
-    Traceback (most recent call last):
-    ValueError: log: gyro: expected rates up to 36.7 rad/s, the range of most gyros, got 90: degrees
-    taken for radians? Right all the same? Then say allow=("rate",).
-    >>> without_doubts(fast, allow=["rate"]) is fast
-    True
-    """
+def _without_doubts(recording: Recording, allow: Sequence[str] = ()) -> Recording:
+    """Return a recording if nothing speaks against it but the rules in `allow`; refuse others."""
     allow = some_of(allow, RULES, "allow")
     found = [doubt for doubt in doubts(recording) if doubt.rule not in allow]
     if found:
@@ -166,7 +165,7 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
     if recording.accelerometer is not None:
         gravity = STANDARD_GRAVITY if recording.gravity is None else recording.gravity
         expected = gravity * (1 if rates else step)
-        size = float(np.median(np.linalg.norm(recording.accelerometer, axis=1)))
+        size = _median_size(recording.accelerometer)
         if not 1 / _FORCE_FACTOR < size / expected < _FORCE_FACTOR:
             unit = "m/s^2" if rates else "m/s, gravity times the interval"
             yield Doubt(
@@ -177,7 +176,7 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
                 size / expected,
                 _FORCE_FACTOR,
             )
-    largest = float(np.abs(recording.gyro).max())
+    largest = max(float(recording.gyro.max()), -float(recording.gyro.min()))
     rate, angle = (largest, largest * step) if rates else (largest / step, largest)
     if rate > _MOST_RATE:
         yield Doubt(
@@ -197,11 +196,12 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
         )
     if recording.times is not None and len(recording) > 2:
         steps = np.diff(recording.times)
-        row, longest = int(np.argmax(steps)), round(float(steps.max() / np.median(steps)), 9)
+        usual = float(np.median(steps))
+        row, longest = int(np.argmax(steps)), round(float(steps.max()) / usual, 9)
         if longest > _LONGEST_GAP:
             yield Doubt(
                 "gap",
-                f"times: expected steps of about {np.median(steps):.4g} s, got one of "
+                f"times: expected steps of about {usual:.4g} s, got one of "
                 f"{steps[row]:.4g} s after row {row + 1}, at "
                 f"{recording.times[row] - recording.times[0]:.6g} s: samples are missing.",
                 longest,
@@ -209,9 +209,14 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
             )
 
 
+def _median_size(vectors: FloatArray) -> float:
+    x, y, z = vectors.T
+    return float(np.median(np.sqrt(x * x + y * y + z * z)))
+
+
 def _turning_doubts(recording: Recording) -> Iterator[Doubt]:
     """Doubts that come from gravity's turns in the body."""
-    found = gravity_turns(recording)
+    found = _gravity_turns(recording)
     if found is None or found.explained < max(found.needed, _MAJORITY):
         return
     evidence = f"over {found.turns} turns of gravity in the body, {found.explained:.0%} explained"
@@ -247,30 +252,31 @@ def _channel_doubts(recording: Recording) -> Iterator[Doubt]:
     triads = [recording.gyro]
     if recording.accelerometer is not None:
         triads.append(recording.accelerometer)
-    channels = np.concatenate(triads, axis=1)
-    dead = dead_channels(channels)
-    for name, channel, lifeless in zip(_CHANNELS, channels.T, dead, strict=False):
+    dead = _dead_channels(*triads)
+    columns = (column for triad in triads for column in triad.T)
+    for name, column, lifeless in zip(_CHANNELS, columns, dead, strict=False):
         if lifeless:
             yield Doubt(
                 "dead",
-                f"{name}: expected values that change as in other channels, got {channel[0]:.6g} "
-                f"in all {len(channel)} rows.",
+                f"{name}: expected values that change as in other channels, got {column[0]:.6g} "
+                f"in all {len(column)} rows.",
                 0.0,
                 0.0,
             )
+        channel = np.ascontiguousarray(column)
         if np.ptp(channel) == 0:
             continue
-        rows, ratio = clipped_rows(channel)
-        if ratio > CLIPPED_RATIO:
+        rows, ratio = _clipped_rows(channel)
+        if ratio > _CLIPPED_RATIO:
             yield Doubt(
                 "clipped",
                 f"{name}: expected few values at the extreme, got {rows} rows there, {ratio:.3g} "
                 "for each at the level beside it: the end of the range?",
                 ratio,
-                CLIPPED_RATIO,
+                _CLIPPED_RATIO,
             )
             continue  # a channel at its end keeps one value for long
-        begin, rows, allowed = longest_run(channel)
+        begin, rows, allowed = _longest_run(channel)
         if rows > allowed:
             yield Doubt(
                 "stuck",
@@ -279,7 +285,7 @@ def _channel_doubts(recording: Recording) -> Iterator[Doubt]:
                 float(rows),
                 allowed,
             )
-    for one, other in twin_channels(channels):
+    for one, other in _twin_channels(*triads):
         yield Doubt(
             "twins",
             f"{_CHANNELS[one]} and {_CHANNELS[other]}: expected different channels, got the same: "
@@ -287,3 +293,146 @@ def _channel_doubts(recording: Recording) -> Iterator[Doubt]:
             1.0,
             1 - 1e-9,
         )
+
+
+def _dead_channels(*triads: FloatArray) -> list[bool]:
+    """Say which columns never change while another one does."""
+    constant = np.array([np.ptp(column) == 0 for triad in triads for column in triad.T])
+    return [bool(one and len(triads[0]) >= _ENOUGH_ROWS) for one in constant & ~constant.all()]
+
+
+def _longest_run(channel: FloatArray) -> tuple[int, int, float]:
+    """Return begin and rows of the longest run of equal values, and what is allowed.
+
+    Allowed are twice the rows that are passed once in a million records, if the runs above the
+    shortest of the longest tenth fall off as the middle one of them tells. Coarse steps and samples
+    that are written twice thus make long runs usual; twice, as a unit at rest has longer ones.
+    """
+    begins = np.flatnonzero(np.concatenate([[True], channel[1:] != channel[:-1]]))
+    rows = np.diff(begins, append=len(channel))
+    longest = int(np.argmax(rows))
+    tail = np.sort(rows)[-max(len(rows) // 10, min(len(rows), 10)) :]
+    # A geometric tail: the middle excess, with half a row for the rounding, over ln 2 is the mean.
+    excess = (np.median(tail - tail[0]) + 0.5) / np.log(2)
+    allowed = 2 * (tail[0] + excess * np.log(len(tail) / _CHANCE_OF_RUN))
+    return int(begins[longest]), int(rows[longest]), float(allowed)
+
+
+def _clipped_rows(channel: FloatArray) -> tuple[int, float]:
+    """Return how many rows stand at an extreme value as if the channel were cut off there.
+
+    They count if three of them follow each other; with them comes their ratio to those at the
+    level next to the extreme (and one more, lest it be none).
+    """
+    found = (0, 0.0)
+    for extreme, beyond in ((channel.max(), np.max), (channel.min(), np.min)):
+        there = np.flatnonzero(channel == extreme)
+        # What stands there most of the time rests; few pulses of a quiet gyro go one way only.
+        if len(there) < len(channel) / 2 and (there[2:] - there[:-2] == 2).any():
+            below = channel[channel != extreme]
+            beside = np.count_nonzero(below == beyond(below))
+            found = max(found, (len(there), len(there) / (beside + 1)), key=lambda one: one[1])
+    return found
+
+
+def _twin_channels(*triads: FloatArray) -> list[tuple[int, int]]:
+    """Return pairs of columns that are the same, but for unit, sign and zero."""
+    rows = len(triads[0])
+    if rows < _ENOUGH_ROWS:
+        return []
+    columns = [column for triad in triads for column in triad.T]
+    middle = np.array([column.mean() for column in columns])
+    products = np.zeros((len(columns), len(columns)))
+    for begin in range(0, rows, _BLOCK):  # a long log has no room for a copy of it
+        block = np.concatenate([triad[begin : begin + _BLOCK] for triad in triads], axis=1)
+        block -= middle
+        products += block.T @ block
+    alive = np.flatnonzero([np.ptp(column) > 0 for column in columns])
+    products = products[np.ix_(alive, alive)]
+    deviations = np.sqrt(np.diag(products))
+    alike = np.abs(products / np.outer(deviations, deviations)) > 1 - 1e-9
+    return [(int(alive[i]), int(alive[j])) for i, j in np.argwhere(np.triu(alike, 1))]
+
+
+class _GravityTurns(NamedTuple):
+    """What gravity's turns in the body say about the gyros."""
+
+    factor: float  # that the gyros should be multiplied with; 1 within some ten percent
+    order: FloatArray  # and which signed permutation (3, 3) of their columns is right
+    explained: float  # share of gravity's turns, squared, that they account for then
+    needed: float  # share that unrelated gyros reach once in a thousand records
+    turns: int  # of gravity between two still moments
+
+
+def _gravity_turns(recording: Recording) -> _GravityTurns | None:
+    """Compare the turns of gravity in the body with those that the gyros tell.
+
+    Whatever was done with a unit, its accelerometers see gravity f whenever it is held fairly
+    still, and between two such moments f changes by the integral of f × ω. All 48 orders and signs
+    of the columns are tried, each with its best factor; the one that explains most is returned, or
+    one that changes less and leaves not twice as much unexplained. How much 24 tries (signs of the
+    factor apart) explain by chance of n components that are independent follows from the beta
+    distribution of a squared correlation, bounded by (1 - explained)^((n - 1) / 2) a try; each turn
+    of gravity has n = 2 components. None if there are no accelerometers, or too few turns.
+    """
+    if recording.accelerometer is None:
+        return None
+    force = recording.accelerometer
+    rows = max(round(_WINDOW / recording.interval), 4)
+    count = len(force) // rows
+    if count < 4:
+        return None
+    forces = force[: count * rows].reshape(count, rows, 3)
+    angles = recording.gyro[: count * rows].reshape(count, rows, 3)
+    gravity = _median_size(force)
+    mean = np.einsum("wri->wi", forces) / rows
+    variance = np.einsum("wri,wri->w", forces, forces) / rows - np.vecdot(mean, mean)
+    near = np.abs(np.linalg.norm(mean, axis=1) - gravity) < _NEAR * gravity
+    still = np.flatnonzero(near & (variance < (_STEADY * gravity) ** 2))
+    if len(still) < 4:
+        return None
+    # Where gravity stays for two windows the unit rests, and its gyros show their bias.
+    pairs = still[:-1][np.diff(still) == 1]
+    turning = np.linalg.norm(mean[pairs + 1] - mean[pairs], axis=1)
+    resting = pairs[turning < _REST * gravity]
+    bias = np.median(angles[resting].mean(axis=1), axis=0) if len(resting) else np.zeros(3)
+    blocks = [np.array_split(each, 1 + len(force) // _BLOCK) for each in (forces, angles)]
+    steps = [f.transpose(0, 2, 1) @ (a - bias) for f, a in zip(*blocks, strict=True)]
+    # Sums of f θ^T up to the middle of each window: all f × (A θ) follow from them.
+    products = np.cumsum(np.concatenate(steps), axis=0)
+    products *= recording.interval if recording.kind == "rates" else 1.0
+    products[1:] = (products[1:] + products[:-1]) / 2
+    ends = still[_apart(mean[still] / gravity)]
+    turns = len(ends) - 1
+    if turns < _ENOUGH_TURNS:
+        return None
+    turned = np.diff(mean[ends], axis=0).ravel() / gravity
+    products = np.diff(products[ends], axis=0) / gravity
+    told = np.einsum("jki,pkl,sjl->psi", _CROSS, _ORDERS, products, optimize=True)
+    told = told.reshape(len(_ORDERS), -1)
+    common, size = told @ turned, np.sum(told**2, axis=1)
+    share = np.divide(common**2, size, out=np.zeros(len(size)), where=(common > 0) & (size > 0))
+    share /= np.sum(turned**2)
+    if not share.any():
+        return None
+    # Turns about one axis say nothing of the others: of equals the one that changes least.
+    best = int(np.argmax(1 - share <= 2 * max(1 - share.max(), _TIED)))
+    needed = 1 - (_CHANCE_OF_TURNS / (len(_ORDERS) / 2)) ** (2 / (2 * turns - 1))
+    return _GravityTurns(
+        float(common[best] / size[best]),
+        _ORDERS[best],
+        float(share[best]),
+        float(needed),
+        turns,
+    )
+
+
+def _apart(directions: FloatArray) -> list[int]:
+    """Indices of moments, each the first with gravity turned enough since the one before."""
+    rows = directions.tolist()
+    found, (x, y, z) = [0], rows[0]
+    for index, (a, b, c) in enumerate(rows):
+        if (a - x) ** 2 + (b - y) ** 2 + (c - z) ** 2 > _TURN**2:
+            found.append(index)
+            x, y, z = a, b, c
+    return found

@@ -20,9 +20,8 @@ from driftlab.checks import one_of, shown, truth_value
 from driftlab.earth import gravity
 
 from .catalogue import PUBLISHED as PUBLISHED, PublishedSet as PublishedSet
-from .csv_reader import read_csv
-from .imu_tk_reader import read_imu_tk
-from .psins_reader import read_psins
+from .layout import Layout
+from .readers import read_csv, read_imu_tk, read_psins
 from .recording import Recording
 
 XSENS_ZERO_COUNT = 32768
@@ -31,6 +30,16 @@ XSENS_GYRO_SCALE = 1 / 4778
 """Nominal scale of its gyros, rad/s a count: the factory sheet's of the first axis."""
 XSENS_ACCELEROMETER_SCALE = 1 / 415
 """Nominal scale of its accelerometers, m/s^2 a count."""
+
+
+_FERRARIS = Layout(
+    ("gyr_x", "gyr_y", "gyr_z"),
+    ("acc_x", "acc_y", "acc_z"),
+    ("deg/s", "m/s^2"),
+    rate=102.4,
+    gravity=9.81,
+)
+_ROLLED_BY_HAND = Layout((4, 5, 6), (1, 2, 3), ("rad/s", "m/s^2"), rate=100.0, gravity=9.81)
 
 
 class RecordingUnavailable(RuntimeError):
@@ -137,17 +146,8 @@ def published(name: str, download: bool = True) -> Recording:
 
     Examples
     --------
-    >>> for one in PUBLISHED.values():
-    ...     print(one.name, "-", one.licence)
-    xsens-mti - BSD-2-Clause
-    ferraris-session - MIT
-    mpu9150-1 - MIT
-    mpu9150-2 - MIT
-    mpu9150-3 - MIT
-    mpu9150-4 - MIT
-    mpu9150-5 - MIT
-    laser-gyro - BSD-2-Clause
-    nineteen-positions - BSD-2-Clause
+    >>> print(*PUBLISHED)
+    xsens-mti ferraris-session mpu9150-1 mpu9150-2 mpu9150-3 ... laser-gyro nineteen-positions
     """
     one_of(name, PUBLISHED, "name")
     one = PUBLISHED[name]
@@ -157,35 +157,17 @@ def published(name: str, download: bool = True) -> Recording:
 
 
 def _xsens(accelerometer_path: Path, gyro_path: Path) -> Recording:
-    return read_imu_tk(
-        accelerometer_path,
-        gyro_path,
-        units=(f"{XSENS_GYRO_SCALE!r} rad/s", f"{XSENS_ACCELEROMETER_SCALE!r} m/s^2"),
-        zeros=(XSENS_ZERO_COUNT, XSENS_ZERO_COUNT),
-        gravity=9.81744,
-    )
+    units = f"{XSENS_GYRO_SCALE!r} rad/s", f"{XSENS_ACCELEROMETER_SCALE!r} m/s^2"
+    zeros = XSENS_ZERO_COUNT, XSENS_ZERO_COUNT
+    return read_imu_tk(accelerometer_path, gyro_path, units=units, zeros=zeros, gravity=9.81744)
 
 
 def _ferraris(path: Path, _: Path) -> Recording:
-    return read_csv(
-        path,
-        gyro=("gyr_x", "gyr_y", "gyr_z"),
-        accelerometer=("acc_x", "acc_y", "acc_z"),
-        units=("deg/s", "m/s^2"),
-        rate=102.4,
-        gravity=9.81,
-    )
+    return read_csv(path, _FERRARIS)
 
 
 def _rolled_by_hand(path: Path) -> Recording:
-    return read_csv(
-        path,
-        gyro=(4, 5, 6),
-        accelerometer=(1, 2, 3),
-        units=("rad/s", "m/s^2"),
-        rate=100.0,
-        gravity=9.81,
-    )
+    return read_csv(path, _ROLLED_BY_HAND)
 
 
 def _nineteen_positions(path: Path) -> Recording:
@@ -223,11 +205,6 @@ def ferraris_sections(download: bool = True) -> dict[str, tuple[int, int]]:
     dict
         Begin and end rows, for `Recording.part`: rests on six sides, "x_p", "x_a" and so on, and
         turns "x_rot", "y_rot", "z_rot".
-
-    Raises
-    ------
-    RecordingUnavailable
-        As for `published_file`.
 
     Examples
     --------

@@ -1,13 +1,12 @@
 """What the log of an inertial unit holds: rates or increments in SI units, and what is known of it.
 
-A log tells neither its units nor its axes, so a record that forgets them is soon read wrongly. Here
-the readers ask once, and what they were told stays with the numbers.
+A record that forgets its units and axes is soon read wrongly, so they stay with the numbers.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -64,9 +63,12 @@ class Recording:
     --------
     Two seconds of a unit that lies still, at 100 Hz:
 
-    >>> still = Recording(np.zeros((200, 3)), np.tile([0.0, 0.0, 9.8], (200, 1)), 0.01, "rates")
+    >>> force = np.tile([0.0, 0.0, -9.8], (200, 1))
+    >>> still = Recording(np.zeros((200, 3)), force, 0.01, "rates", axes="FRD")
     >>> still.duration, still.increments().velocity.shape
     (2.0, (199, 3))
+    >>> len(still.between(0.5, 1.5)), still.part(10, 15).in_axes("FUR").accelerometer[0]
+    (100, array([0. , 9.8, 0. ]))
     """
 
     gyro: FloatArray
@@ -84,15 +86,9 @@ class Recording:
 
     def __post_init__(self) -> None:
         one_of(self.kind, ("rates", "increments"), "kind")
-        for field in ("axes", "name", "source", "licence"):
-            checked_text(getattr(self, field), field)
-        keep(
-            self,
-            interval=positive_number(self.interval, "interval"),
-            longest_gap=checked_longest_gap(self.longest_gap),
-        )
+        _keep_known(self)
         gyro = _rows(self.gyro, "gyro")
-        keep(self, gyro=gyro)
+        keep(self, gyro=gyro, interval=positive_number(self.interval, "interval"))
         if self.accelerometer is not None:
             rows = _rows(self.accelerometer, "accelerometer")
             if len(rows) != len(gyro):
@@ -110,51 +106,19 @@ class Recording:
                     f"{times[row - 1]:.10g} s in row {row + 1}."
                 )
             keep(self, times=times)
-        if self.axes:
-            checked_axes(self.axes, "axes", "body")
-        if self.latitude is not None:
-            keep(self, latitude=finite_number(self.latitude, "latitude"))
-            if abs(self.latitude) > np.pi / 2:
-                raise ValueError(
-                    f"latitude: expected rad, at most a quarter turn, got {shown(self.latitude)}."
-                )
-        if self.gravity is not None:
-            keep(self, gravity=one_pull(self.gravity))
 
     def __len__(self) -> int:
         return len(self.gyro)
 
     @property
     def duration(self) -> float:
-        """Time that the samples stand for, s.
-
-        Examples
-        --------
-        >>> Recording(np.zeros((30, 3)), None, 0.1, "increments").duration
-        3.0
-        """
+        """Time that the samples stand for, s."""
         if self.times is None:
             return len(self) * self.interval
         return float(self.times[-1] - self.times[0]) + self.interval
 
     def part(self, begin: int, end: int) -> Recording:
-        """Return some of the rows.
-
-        Parameters
-        ----------
-        begin, end : int
-            The first row, and the first that is left out, as in a slice.
-
-        Returns
-        -------
-        Recording
-            All that is known of the whole, with views of the rows.
-
-        Examples
-        --------
-        >>> len(Recording(np.zeros((30, 3)), None, 0.1, "increments").part(10, 15))
-        5
-        """
+        """Return the rows from `begin` to before `end`, as views, with all that is known."""
         rows = slice(row_number(begin, "begin"), row_number(end, "end"))
         if not len(self.gyro[rows]):
             raise ValueError(
@@ -169,28 +133,7 @@ class Recording:
         )
 
     def between(self, begin: float, end: float) -> Recording:
-        """Return the rows of some time.
-
-        Parameters
-        ----------
-        begin, end : float
-            Since the first sample, s; a sample at `end` is left out.
-
-        Returns
-        -------
-        Recording
-            All that is known of the whole, with views of the rows.
-
-        Raises
-        ------
-        ValueError
-            If there is no sample in that time.
-
-        Examples
-        --------
-        >>> len(Recording(np.zeros((30, 3)), None, 0.1, "increments").between(0.5, 1.5))
-        10
-        """
+        """Return the samples from `begin` to before `end`, s since the first, as views."""
         first, last = finite_number(begin, "begin"), finite_number(end, "end")
         if self.times is None:
             places = np.ceil(np.array([first, last]) / self.interval - 1e-6)
@@ -206,29 +149,7 @@ class Recording:
         return self.part(int(start), int(stop))
 
     def in_axes(self, axes: str) -> Recording:
-        """Return the same record in other body axes.
-
-        Parameters
-        ----------
-        axes : str
-            Three letters as in `driftlab.axes`, "FUR" say.
-
-        Returns
-        -------
-        Recording
-            With the columns in the new order, and signs changed where they must be.
-
-        Raises
-        ------
-        ValueError
-            If nobody said which axes the record has, or `axes` are none.
-
-        Examples
-        --------
-        >>> log = Recording([[0, 0, 0]], [[0.0, 0.0, -9.8]], 0.1, "rates", axes="FRD")
-        >>> log.in_axes("FUR").accelerometer
-        array([[0. , 9.8, 0. ]])
-        """
+        """Return the same record in other body axes, three letters as in `driftlab.axes`."""
         if not self.axes:
             raise ValueError("axes: expected a record that knows its axes, got one that does not.")
         force, axes = self.accelerometer, checked_axes(axes, "axes", "body")
@@ -240,42 +161,11 @@ class Recording:
         )
 
     def angles(self) -> FloatArray:
-        """Increments of angle: those of the record, or integrals of its rates.
-
-        Returns
-        -------
-        ndarray, shape (m, 3)
-            rad. Rates become m = n - 1 increments, integrals of a cubic spline, which adds least
-            to their noise: see `driftlab.sampled_rates.increments_from_rates`.
-
-        Examples
-        --------
-        >>> Recording(np.ones((11, 3)), None, 0.1, "rates").angles().sum(axis=0).round(9)
-        array([1., 1., 1.])
-        """
+        """Increments of angle (m, 3), rad: the record's, or of a spline through n = m + 1 rates."""
         return self._integrals(self.gyro)
 
     def increments(self) -> Increments:
-        """Increments of angle and velocity: those of the record, or integrals of its rates.
-
-        On a turntable they are what `driftlab.calibration.calibrate` takes: chapter 08.
-
-        Returns
-        -------
-        Increments
-            Arrays (m, 3), rad and m/s, as in `angles`.
-
-        Raises
-        ------
-        ValueError
-            If the record has no accelerometers.
-
-        Examples
-        --------
-        >>> log = Recording(np.zeros((11, 3)), np.full((11, 3), 2.0), 0.1, "rates")
-        >>> log.increments().velocity.sum(axis=0).round(9)
-        array([2., 2., 2.])
-        """
+        """Increments of angle, rad, and of velocity, m/s, (m, 3) as in `angles`."""
         if self.accelerometer is None:
             raise ValueError("accelerometer: expected a record that has one, got none.")
         return Increments(self.interval, self.angles(), self._integrals(self.accelerometer))
@@ -286,6 +176,23 @@ class Recording:
         return increments_from_rates(
             rows, self.interval, times=self.times, degree=3, longest_gap=self.longest_gap
         )
+
+
+def _keep_known(record: Any) -> None:
+    """Check what a recording and the layout of a log both say of the unit, and keep it."""
+    for field in ("axes", "name", "source", "licence"):
+        checked_text(getattr(record, field), field)
+    keep(record, longest_gap=checked_longest_gap(record.longest_gap))
+    if record.axes:
+        checked_axes(record.axes, "axes", "body")
+    if record.latitude is not None:
+        keep(record, latitude=finite_number(record.latitude, "latitude"))
+        if abs(record.latitude) > np.pi / 2:
+            raise ValueError(
+                f"latitude: expected rad, at most a quarter turn, got {shown(record.latitude)}."
+            )
+    if record.gravity is not None:
+        keep(record, gravity=one_pull(record.gravity))
 
 
 def _rows(value: object, name: str) -> FloatArray:

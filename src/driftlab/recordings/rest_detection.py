@@ -57,15 +57,6 @@ class Rests:
         Other multiples, and how many rests these would have found.
     kind : {"rates", "increments"}
         Of the recording.
-
-    Examples
-    --------
-    >>> from driftlab.recordings.recording import Recording
-    >>> gyro = 1e-3 * np.random.default_rng(1).standard_normal((1500, 3))
-    >>> gyro[500:800, 2] += 0.5 * np.sin(np.linspace(0, np.pi, 300))
-    >>> found = rests(Recording(gyro, None, 0.01, "rates"))
-    >>> len(found), found.rows
-    (2, [(100, 423), (877, 1400)])
     """
 
     begin: np.ndarray
@@ -88,33 +79,17 @@ class Rests:
 
     @property
     def rows(self) -> list[tuple[int, int]]:
-        """First row of each rest, and the first after it.
-
-        Returns
-        -------
-        list of (int, int)
-        """
+        """First row of each rest, and the first after it."""
         return [(int(b), int(e)) for b, e in zip(self.begin, self.end, strict=True)]
 
     @property
     def durations(self) -> FloatArray:
-        """Length of each rest.
-
-        Returns
-        -------
-        ndarray, shape (n,)
-            s.
-        """
+        """Length of each rest (n,), s."""
         return (self.end - self.begin) * self.interval
 
     @property
     def why(self) -> str:
-        """What was found, and by which rule, in a few sentences.
-
-        Returns
-        -------
-        str
-        """
+        """What was found, and by which rule, in a few sentences."""
         turn, force = ("rad/s", "m/s^2") if self.kind == "rates" else ("rad", "m/s")
         noise = f"gyros {self.gyro_noise:.3g} {turn}"
         if np.isfinite(self.accelerometer_noise):
@@ -188,11 +163,6 @@ def rests(
         If even the quietest window scatters by more than sensors do at rest: then the unit perhaps
         never lay still, and what is found are but its calmer moments.
 
-    See Also
-    --------
-    driftlab.calibration.calibrate_by_poses : What rests are good for.
-    driftlab.gyrocompass.align : The heading from one of them.
-
     Notes
     -----
     A stretch is quiet where, for both triads, the root of the sum of the three windowed variances
@@ -205,8 +175,9 @@ def rests(
     >>> from driftlab.recordings.recording import Recording
     >>> gyro = 1e-3 * np.random.default_rng(1).standard_normal((1500, 3))
     >>> gyro[500:800, 2] += 0.5 * np.sin(np.linspace(0, np.pi, 300))
-    >>> print(rests(Recording(gyro, None, 0.01, "rates")).durations)
-    [3.23 5.23]
+    >>> found = rests(Recording(gyro, None, 0.01, "rates"))
+    >>> found.rows, found.durations
+    ([(100, 423), (877, 1400)], array([3.23, 5.23]))
     """
     checked_instance(recording, Recording, "recording")
     seconds, times = positive_number(window, "window"), positive_number(multiple, "multiple")

@@ -23,7 +23,7 @@ from driftlab.book.ch13_real_triads.offset_two_ways import (
 )
 from driftlab.book.machinery.figure.csv_table import read_table
 from driftlab.drift.turns_by_hand import HandTurn, fit_hand_turns, hand_turns, near_turns
-from driftlab.recordings.csv_reader import read_csv
+from driftlab.recordings.readers import read_csv
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rest_detection import rests
 

@@ -15,7 +15,6 @@ from scipy.constants import g as STANDARD_GRAVITY
 
 from driftlab.checks import checked_text, shown
 
-from ._unit_spellings import spelled
 from .recording import Kind
 
 _ARCSEC = np.pi / 648000
@@ -45,106 +44,43 @@ ACCELEROMETER_UNITS: dict[str, tuple[Kind, float]] = {
 """Kind and size in m/s^2 or m/s of each unit of specific force and velocity increments."""
 TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 """Size of the units of time stamps, s."""
+_SPELLINGS = (
+    (r"[µμ]", "u"),
+    (r"milli-?", "m"),
+    (r"micro-?", "u"),
+    (r"²|\*\*2", "^2"),
+    (r"[·⋅]", "*"),
+    (r"°|degrees?", "deg"),
+    (r"radians?", "rad"),
+    (r"met(er|re)s?", "m"),
+    (r"arc-?sec(onds?)?", "arcsec"),
+    (r"(?<!arc)sec(onds?)?", "s"),
+    (r"(hours?|hr)$", "h"),
+    (r"/s/s$|/s2$", "/s^2"),
+    (r"^(m?)dps$", r"\1deg/s"),
+    (r"(?<=g)s$", "*s"),
+)
 
 
 class Unit(NamedTuple):
-    """What one unit, or one count, of a triad stands for.
-
-    Attributes
-    ----------
-    kind : {"rates", "increments"}
-        What the triad delivers.
-    size : float
-        rad/s, rad, m/s^2 or m/s.
-
-    Examples
-    --------
-    >>> gyro_unit("mrad/s")
-    Unit(kind='rates', size=0.001)
-    """
+    """What a triad delivers, and the size of one unit or count: rad/s, rad, m/s^2 or m/s."""
 
     kind: Kind
     size: float
 
 
 def gyro_unit(text: str) -> Unit:
-    """Return what a unit of angular rates or angle increments means.
-
-    Parameters
-    ----------
-    text : str
-        A unit of `GYRO_UNITS` in any usual spelling; of counts, with the size of one before it, as
-        "0.00875 deg/s", or "1/131 deg/s" where the data sheet says 131 counts per deg/s.
-
-    Returns
-    -------
-    Unit
-        Its kind and its size, rad/s or rad.
-
-    Raises
-    ------
-    ValueError
-        If there is no such unit.
-
-    Examples
-    --------
-    >>> gyro_unit("°/s") == gyro_unit("dps") == gyro_unit("deg/s")
-    True
-    >>> round(1 / gyro_unit("1/4778 rad/s").size)
-    4778
-    """
+    """Return what a unit of angular rates or angle increments means, in rad/s or rad."""
     return _unit(checked_text(text, "units"), GYRO_UNITS, "gyros")
 
 
 def accelerometer_unit(text: str) -> Unit:
-    """Return what a unit of specific force or velocity increments means.
-
-    Parameters
-    ----------
-    text : str
-        A unit of `ACCELEROMETER_UNITS`, as for `gyro_unit`.
-
-    Returns
-    -------
-    Unit
-        Its kind and its size, m/s^2 or m/s; "g" is 9.80665 m/s^2 wherever the unit was.
-
-    Raises
-    ------
-    ValueError
-        If there is no such unit.
-
-    Examples
-    --------
-    >>> accelerometer_unit("m/s²"), accelerometer_unit("g s").kind
-    (Unit(kind='rates', size=1.0), 'increments')
-    """
+    """Return what a unit of specific force or velocity increments means, in m/s^2 or m/s."""
     return _unit(checked_text(text, "units"), ACCELEROMETER_UNITS, "accelerometers")
 
 
 def time_unit(text: str) -> float:
-    """Return the size of a unit of time.
-
-    Parameters
-    ----------
-    text : str
-        One of `TIME_UNITS`.
-
-    Returns
-    -------
-    float
-        s.
-
-    Raises
-    ------
-    ValueError
-        If there is no such unit.
-
-    Examples
-    --------
-    >>> time_unit("µs")
-    1e-06
-    """
+    """Return the size of a unit of time, s."""
     if (size := TIME_UNITS.get(spelled(checked_text(text, "units")))) is None:
         raise ValueError(
             f"units: expected one of {', '.join(TIME_UNITS)} for time, got {shown(text)}."
@@ -153,24 +89,17 @@ def time_unit(text: str) -> float:
 
 
 def is_unit(text: str) -> bool:
-    """Say whether a text is a unit that is known here.
-
-    Parameters
-    ----------
-    text : str
-        What stands in a header, in brackets say.
-
-    Returns
-    -------
-    bool
-
-    Examples
-    --------
-    >>> is_unit("rad/s"), is_unit("gyr_x")
-    (True, False)
-    """
-    name = spelled(checked_text(text, "text"))
+    """Say whether a text, in brackets in a header say, is a unit that is known here."""
+    name = spelled(text)
     return any(name in known for known in (GYRO_UNITS, ACCELEROMETER_UNITS, TIME_UNITS))
+
+
+def spelled(text: str) -> str:
+    """Return a unit's name in the one spelling of the tables here."""
+    name = re.sub(r"\s+", "", text.strip().lower())
+    for pattern, usual in _SPELLINGS:
+        name = re.sub(pattern, usual, name)
+    return name
 
 
 def _unit(text: str, known: dict[str, tuple[Kind, float]], triad: str) -> Unit:
