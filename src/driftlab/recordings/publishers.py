@@ -19,7 +19,7 @@ import numpy as np
 from driftlab.checks import one_of, shown, truth_value
 from driftlab.earth import gravity
 
-from .catalogue import PUBLISHED as PUBLISHED, PublishedSet as PublishedSet
+from .catalogue import PUBLISHED as PUBLISHED
 from .layout import Layout
 from .readers import read_csv, read_imu_tk, read_psins
 from .recording import Recording
@@ -152,7 +152,8 @@ def published(name: str, download: bool = True) -> Recording:
     one_of(name, PUBLISHED, "name")
     one = PUBLISHED[name]
     paths = [published_file(Path(path).name, download) for path in one.files]
-    recording = _READERS.get(name, _rolled_by_hand)(*paths)
+    read = _READERS.get(name)
+    recording = read(*paths) if read else read_csv(paths[0], _ROLLED_BY_HAND)
     return replace(recording, name=name, source=one.source, licence=one.licence)
 
 
@@ -160,14 +161,6 @@ def _xsens(accelerometer_path: Path, gyro_path: Path) -> Recording:
     units = f"{XSENS_GYRO_SCALE!r} rad/s", f"{XSENS_ACCELEROMETER_SCALE!r} m/s^2"
     zeros = XSENS_ZERO_COUNT, XSENS_ZERO_COUNT
     return read_imu_tk(accelerometer_path, gyro_path, units=units, zeros=zeros, gravity=9.81744)
-
-
-def _ferraris(path: Path, _: Path) -> Recording:
-    return read_csv(path, _FERRARIS)
-
-
-def _rolled_by_hand(path: Path) -> Recording:
-    return read_csv(path, _ROLLED_BY_HAND)
 
 
 def _nineteen_positions(path: Path) -> Recording:
@@ -186,7 +179,7 @@ def _nineteen_positions(path: Path) -> Recording:
 
 _READERS: dict[str, Callable[..., Recording]] = {
     "xsens-mti": _xsens,
-    "ferraris-session": _ferraris,
+    "ferraris-session": lambda path, _: read_csv(path, _FERRARIS),
     "laser-gyro": read_psins,
     "nineteen-positions": _nineteen_positions,
 }
