@@ -204,28 +204,32 @@ def _tables(found: AtRest) -> Iterator[Table]:
     yield _table(
         "From the means of the record",
         NOTE,
-        *_heading_rows(whole.heading, found.of_means),
-        ("pitch, bow up", whole.pitch, deviation.pitch, DEGREES),
-        ("roll, right side down", whole.roll, deviation.roll, DEGREES),
-        ("latitude found", whole.latitude, deviation.latitude, DEGREES),
-        ("latitude told", told, None, DEGREES),
-        ("level rate found", whole.level_rate, deviation.level_rate, DEG_PER_HOUR),
-        ("level rate of the Earth there", EARTH_RATE * np.cos(told), None, DEG_PER_HOUR),
-        ("whole rate found", float(np.linalg.norm(found.rate)), None, DEG_PER_HOUR),
-        ("whole rate of the Earth", EARTH_RATE, None, DEG_PER_HOUR),
+        [
+            *_heading_rows(whole.heading, found.of_means),
+            ("pitch, bow up", whole.pitch, deviation.pitch, DEGREES),
+            ("roll, right side down", whole.roll, deviation.roll, DEGREES),
+            ("latitude found", whole.latitude, deviation.latitude, DEGREES),
+            ("latitude told", told, None, DEGREES),
+            ("level rate found", whole.level_rate, deviation.level_rate, DEG_PER_HOUR),
+            ("level rate of the Earth there", EARTH_RATE * np.cos(told), None, DEG_PER_HOUR),
+            ("whole rate found", float(np.linalg.norm(found.rate)), None, DEG_PER_HOUR),
+            ("whole rate of the Earth", EARTH_RATE, None, DEG_PER_HOUR),
+        ],
     )
     if (swaying := found.swaying) is not None:
         yield _table(
             "From gravity in inertial space",
             SWAYING_NOTE,
-            *_heading_rows(swaying.heading, found.in_inertial_space),
-            ("pitch, bow up", swaying.pitch, found.tilt, DEGREES),
-            ("roll, right side down", swaying.roll, found.tilt, DEGREES),
-            ("level rate found", swaying.level_rate, None, DEG_PER_HOUR),
+            [
+                *_heading_rows(swaying.heading, found.in_inertial_space),
+                ("pitch, bow up", swaying.pitch, found.tilt, DEGREES),
+                ("roll, right side down", swaying.roll, found.tilt, DEGREES),
+                ("level rate found", swaying.level_rate, None, DEG_PER_HOUR),
+            ],
         )
 
 
-def _table(title: str, note: str, *rows: tuple[str, Any, Any, Unit]) -> Table:
+def _table(title: str, note: str, rows: list[tuple[str, Any, Any, Unit]]) -> Table:
     """Values and their deviations; what is not known (NaN) is left out."""
     shown = [
         (
