@@ -9,7 +9,7 @@ from scipy.stats import binom
 from driftlab.attitude import integrate
 from driftlab.calibration import kalman
 from driftlab.increments import Increments
-from driftlab.strapdown import at_rest, navigate
+from driftlab.strapdown import navigate, stationary_state
 from speed import floor, page
 from speed.measuring import Contender, Row, largest_angle, measure, median_ratio, verdict
 
@@ -83,7 +83,9 @@ def test_the_floor_computes_the_same() -> None:
     for name in ("picard-1", "two-step-4"):
         assert largest_angle(floor.attitude(rows, name), integrate(rows, name)) < 1e-14
     angle, velocity = 0.01 * rng.normal(size=(2, 12000, 3)) + [[[0, 0, 0]], [[0, 0, 0.098]]]
-    start = at_rest(0.6, [0.0, 0.6, 0.0, 0.8], 3.138)._replace(velocity=np.array([300.0, 9, 1]))
+    start = stationary_state(0.6, [0.0, 0.6, 0.0, 0.8], 3.138)._replace(
+        velocity=np.array([300.0, 9, 1])
+    )
     found = floor.navigate(start, 0.01, angle, velocity)
     ours = navigate(start, Increments(0.01, angle, velocity))
     assert ours.longitude.min() < -3 < 3 < ours.longitude.max()  # past the date line

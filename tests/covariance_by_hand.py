@@ -66,7 +66,7 @@ def prior(attitude, installation):
     return half @ half.T
 
 
-def deviations(installation):
+def standard_deviations(installation):
     """Standard deviations (27,) at the end, for a spread of the off-diagonal entries in rad."""
     attitude = np.eye(3)[[1, 2, 0]]  # x Up, y East, z North
     covariance = prior(attitude, installation)

@@ -22,11 +22,11 @@ from driftlab.imu import NO_ERRORS
 
 # Loops call these with what has been checked; they are public for who builds a filter of his own.
 CORES = {
-    *("felt_besides", "attitude_of_axes", "step_in_word"),
+    *("higher_order_effects", "attitude_of_axes", "step_finite_word"),
     *("free_transition", "transition_of_increments", "process_noise"),
 }
 # What functions return, and nobody makes by hand.
-RETURNED = {"HandTurn", "HandTurnFit", "Doubt"}
+RETURNED = {"HandTurn", "HandTurnFit", "DataProblem"}
 # Arrays in the words of other programs, which are looked at when they are converted.
 CONVERTED = {"ImuTkMatrices", "KalibrMatrices", "ImucalMatrices", "PsinsMatrices", "RosMatrices"}
 

@@ -9,26 +9,34 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from driftlab.calibration import InconsistentWarning
+from driftlab.calibration import InconsistentCalibrationWarning
 from driftlab.checks import UnusualWarning
 from driftlab.gyrocompass import InconsistentAlignmentWarning
 from fuzzing import TAKEN, Change
 
 # What is NaN where nothing is known of it, as the docstring says.
 UNKNOWN = {
-    *("align.latitude_excess", "align.heading_doubt", "align_in_positions.heading_doubt"),
-    *("rests.gyro_noise", "rests.accelerometer_noise"),
+    *(
+        "align.latitude_discrepancy",
+        "align.heading_uncertainty",
+        "align_multi_position.heading_uncertainty",
+    ),
+    *("static_intervals.gyro_noise", "static_intervals.accelerometer_noise"),
 }
-IN_WORDS = {"integrate_in_word", "step_vectors", "step_in_word"}  # which are asked for
+IN_WORDS = {
+    "integrate_finite_word",
+    "step_rotation_vectors",
+    "step_finite_word",
+}  # which are asked for
 VIEWS = {"Increments.part", "Recording.part", "Recording.between"}  # as of a slice
 # What is made of an argument that is far too large, and is told by its own name.
 TRIADS = ("gyro_matrix", "gyro_offset", "accelerometer_matrix", "accelerometer_offset")
 ALSO_TOLD = {
     **{f"{name}Matrices": TRIADS for name in ("Psins", "Ros", "Kalibr", "Imucal", "ImuTk")},
     "navigate_static": ("increments",),
-    "static_causes": ("increments",),
-    "simulate_compass": ("increments", "gains"),
-    "table_heading_error": ("angular_rate",),
+    "static_error_sources": ("increments",),
+    "simulate_gyrocompass": ("increments", "gains"),
+    "turntable_heading_error": ("angular_rate",),
     # A log is called by its name.
     "read_csv": ("phone: gyro",),
     "from_dataframe": ("recording: gyro",),
@@ -81,7 +89,11 @@ def outcome(change: Change) -> Outcome:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            for spoken in (UnusualWarning, InconsistentWarning, InconsistentAlignmentWarning):
+            for spoken in (
+                UnusualWarning,
+                InconsistentCalibrationWarning,
+                InconsistentAlignmentWarning,
+            ):
                 warnings.simplefilter("ignore", spoken)
             answer = change.slot.door.call(**arguments)
     except (ValueError, TypeError) as reason:

@@ -15,7 +15,7 @@ from driftlab.checks import LARGEST_NUMBER
 from support import replaced
 
 # Places of rows, which no fraction can be.
-WHOLE = {"rests"}
+WHOLE = {"static_intervals"}
 # Records that a user fills; others come from the package, and are taken as they are.
 MADE_BY_HAND = {"Gains", "ImuErrors", "Increments", "LevelFrame", "Navigation"}
 

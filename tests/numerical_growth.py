@@ -6,7 +6,7 @@ from driftlab.calibration.body_axes import attitude_error
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE
 from driftlab.increments import measure
 from driftlab.quaternion import from_rotation_vector, multiply
-from driftlab.strapdown import at_rest, last_of, navigate
+from driftlab.strapdown import final_state, navigate, stationary_state
 
 
 def numerical_growth(record, latitude, model):
@@ -18,10 +18,12 @@ def numerical_growth(record, latitude, model):
     sizes = np.full(model.size, 1e-4)
     sizes[3:6] = 1e-2
     steps = np.concatenate([np.diag(sizes), -np.diag(sizes)])
-    start = at_rest(latitude, multiply(from_rotation_vector(-steps[:, :3]), record.attitude[0]))
+    start = stationary_state(
+        latitude, multiply(from_rotation_vector(-steps[:, :3]), record.attitude[0])
+    )
     more = model.higher_order_errors(steps) if model.higher_order else None
     said = measure(record.increments, model.imu_errors(steps), higher_order=more)
-    found = last_of(navigate(start._replace(velocity=steps[:, 3:6]), said))
+    found = final_state(navigate(start._replace(velocity=steps[:, 3:6]), said))
     ends = np.hstack([attitude_error(found.attitude, record.attitude[-1]), found.velocity])
     plus, minus = np.split(ends, 2)
     return (plus - minus).T / (2 * sizes)

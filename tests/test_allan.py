@@ -203,9 +203,9 @@ def test_degrees_of_freedom_of_exact_variances_are_those_of_their_term(name):
     counts = np.array([1, 3, 10, 40])
     exact = term_variances(0.5 * counts)[:, TERMS.index(name)]
     squares = np.array([float(term == name) for term in TERMS])
-    deviations = np.sqrt(np.diagonal(covariance(squares, counts, 500, 0.5)))
+    standard_deviations = np.sqrt(np.diagonal(covariance(squares, counts, 500, 0.5)))
     found = degrees_of_freedom(exact, counts, 500, 0.5)
-    np.testing.assert_allclose(found, 2 * (exact / deviations) ** 2, rtol=1e-2)
+    np.testing.assert_allclose(found, 2 * (exact / standard_deviations) ** 2, rtol=1e-2)
 
 
 @pytest.mark.parametrize("name", ["quantisation", "angle_random_walk", "rate_random_walk"])

@@ -20,7 +20,6 @@ from driftlab.checks import (
     checked_text,
     chosen_number,
     common_leading_axes,
-    error_matrix,
     finite_array,
     finite_arrays,
     finite_number,
@@ -32,6 +31,7 @@ from driftlab.checks import (
     one_of,
     one_pull,
     one_quaternion,
+    plausible_error_matrix,
     positive_array,
     positive_number,
     probability,
@@ -50,10 +50,10 @@ from driftlab.checks import (
     within,
 )
 from driftlab.core.vectors import norms
-from driftlab.gyrocompass.alignment_deviations import alignment_deviation
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.gyrocompass.alignment_deviations import alignment_standard_deviation
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments
-from driftlab.triad import decompose, triad_matrix
+from driftlab.triad import split_error_matrix, triad_matrix
 from support import EPS, directions
 
 
@@ -80,7 +80,7 @@ def test_a_rotation_stands_for_its_quaternion():
 
 @pytest.mark.parametrize("nothing", [[], np.zeros((0, 2)), np.zeros((0, 5))])
 def test_no_pairs_are_a_table_of_two_columns(nothing):
-    assert whole_pairs(nothing, "rests").shape == (0, 2)
+    assert whole_pairs(nothing, "static_intervals").shape == (0, 2)
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -254,8 +254,8 @@ def test_noise_is_drawn_from_a_generator_only(seed):
 
 def test_one_whole_matrix_among_many_is_refused():
     several = np.stack([np.zeros((3, 3)), np.eye(3)])
-    with pytest.raises(ValueError, match=r"^triad_error: .* is it the whole matrix I \+ M\? Sub"):
-        error_matrix(several, "triad_error")
+    with pytest.raises(ValueError, match=r"^error_matrix: .* is it the whole matrix I \+ M\? Sub"):
+        plausible_error_matrix(several, "error_matrix")
     with pytest.warns(UnusualWarning, match=r"^matrix: .* If so, subtract the identity"):
         linear_error_matrix(several, "matrix")
 
@@ -265,14 +265,16 @@ def test_one_entry_larger_than_one_is_warned_of_where_it_was_called_from(size):
     several = np.zeros((2, 3, 3))
     several[1, 0, 2] = size
     with pytest.warns(
-        UnusualWarning, match=f"^triad_error: an entry is {size:g}, and they"
+        UnusualWarning, match=f"^error_matrix: an entry is {size:g}, and they"
     ) as seen:
-        _as_a_public_function_does(error_matrix, several)
+        _as_a_public_function_does(plausible_error_matrix, several)
     assert seen[0].filename == __file__
 
 
 @pytest.mark.parametrize(
-    ("check", "diagonal"), [(error_matrix, 0.7), (linear_error_matrix, 0.9)], ids=["any", "linear"]
+    ("check", "diagonal"),
+    [(plausible_error_matrix, 0.7), (linear_error_matrix, 0.9)],
+    ids=["any", "linear"],
 )
 def test_a_whole_matrix_is_warned_of_where_it_was_called_from(check, diagonal):
     line = inspect.currentframe().f_lineno + 2
@@ -282,14 +284,14 @@ def test_a_whole_matrix_is_warned_of_where_it_was_called_from(check, diagonal):
 
 
 def _as_a_public_function_does(check, matrix):
-    return check(matrix, "triad_error")
+    return check(matrix, "error_matrix")
 
 
 def test_a_diagonal_two_fifths_from_one_is_warned_of():
     for diagonal in (0.6, 1.399):
         with pytest.warns(UnusualWarning, match="is it the whole matrix"):
-            error_matrix(diagonal * np.eye(3), "triad_error", scale=4.0)
-    error_matrix(0.599 * np.eye(3), "triad_error")
+            plausible_error_matrix(diagonal * np.eye(3), "error_matrix", scale=4.0)
+    plausible_error_matrix(0.599 * np.eye(3), "error_matrix")
 
 
 @pytest.mark.parametrize(
@@ -298,10 +300,10 @@ def test_a_diagonal_two_fifths_from_one_is_warned_of():
 def test_one_entry_that_is_larger_than_usual_is_warned_of(scale, row, column):
     several = np.zeros((2, 3, 3))
     several[1, row, column] = -(scale if row == column else 1.0)
-    error_matrix(several, "triad_error", scale)
+    plausible_error_matrix(several, "error_matrix", scale)
     several *= 1.001
-    with pytest.warns(UnusualWarning, match=f"^triad_error: an entry is {several.min():g}, and"):
-        error_matrix(several, "triad_error", scale)
+    with pytest.warns(UnusualWarning, match=f"^error_matrix: an entry is {several.min():g}, and"):
+        plausible_error_matrix(several, "error_matrix", scale)
 
 
 @pytest.mark.parametrize(
@@ -309,11 +311,11 @@ def test_one_entry_that_is_larger_than_usual_is_warned_of(scale, row, column):
     [
         (triad_matrix, 0.7 * np.eye(3)),
         (triad_matrix, np.diag([1.1, 0.0], 1)),
-        (decompose, np.eye(3)),
+        (split_error_matrix, np.eye(3)),
     ],
 )
 def test_a_warning_of_a_matrix_points_to_who_hands_it_in(asked, matrix):
-    with pytest.warns(UnusualWarning, match="^(triad_error|matrix): ") as seen:
+    with pytest.warns(UnusualWarning, match="^(error_matrix|matrix): ") as seen:
         asked(matrix)
     assert [warning.filename for warning in seen] == [__file__]
 
@@ -357,8 +359,8 @@ REFUSALS = {
         "times: expected numbers of at least 1e-50, got 1e-60.",
     ),
     "pairs": (
-        lambda: whole_pairs([(0, 100), 200], "rests"),
-        "rests: expected whole numbers of shape (m, 2), got [(0, 100), 200].",
+        lambda: whole_pairs([(0, 100), 200], "static_intervals"),
+        "static_intervals: expected whole numbers of shape (m, 2), got [(0, 100), 200].",
     ),
     "one quaternion": (
         lambda: one_quaternion([[0, 0, 0, 1]], "attitude"),
@@ -440,7 +442,7 @@ def test_a_check_refuses_in_one_sentence(check, sentence):
 
 
 def test_a_usual_deviation_passes_and_an_unusual_one_names_the_likely_unit():
-    assert usual_deviation(40e-6, "scale") == 40e-6
+    assert usual_deviation(40e-6, "scale_factor") == 40e-6
     sentence = "installation: 40 rad is more than instruments usually have. If arc seconds were "
     with pytest.warns(UnusualWarning, match=f"^{re.escape(sentence)}meant, np.radians"):
         assert usual_deviation(40, "installation") == 40.0
@@ -449,9 +451,9 @@ def test_a_usual_deviation_passes_and_an_unusual_one_names_the_likely_unit():
 @pytest.mark.parametrize(
     "ask",
     [
-        lambda: PriorDeviations(scale_asymmetry=30.0),
+        lambda: PriorStandardDeviations(scale_factor_asymmetry=30.0),
         lambda: ImuNoise(30.0),
-        lambda: alignment_deviation(0.5, 60.0, 30.0),
+        lambda: alignment_standard_deviation(0.5, 60.0, 30.0),
     ],
 )
 def test_a_warning_of_a_deviation_points_to_who_says_it(ask):

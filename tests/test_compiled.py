@@ -11,15 +11,15 @@ import pytest
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm
 from driftlab.attitude.integration import integrate
 from driftlab.calibration import covariance_analysis, linearize_along
-from driftlab.calibration.simulation import TableTrial
+from driftlab.calibration.simulation import TurntableTrial
 from driftlab.core import loops
 from driftlab.earth import earth_rate, gravity
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments
 from driftlab.motion import NINETEEN_POSITIONS
 from driftlab.motion.scheme import Scheme
 from driftlab.quaternion import cumulative_product, from_rotation_vector
-from driftlab.strapdown import at_rest, navigate
+from driftlab.strapdown import navigate, stationary_state
 
 EPS = np.finfo(float).eps
 # Two samples of which the first looks back, and a window whose pairs are not in order.
@@ -30,7 +30,7 @@ OWN = (
 )
 ALGORITHM, TWO_STEP = (CONING_ALGORITHMS[name].steps for name in ("picard-1", "two-step-4"))
 ROWS, STARTS = np.zeros((20, 3)), np.tile([0.0, 0.0, 0.0, 1.0], (20, 1))
-START = at_rest(0.5, [0.0, 0.0, 0.0, 1.0])
+START = stationary_state(0.5, [0.0, 0.0, 0.0, 1.0])
 
 
 @pytest.fixture
@@ -93,7 +93,7 @@ def test_navigations_agree(every, hold_altitude, both):
     angle = interval * (earth_rate(latitude)[:, np.newaxis] + swing)
     velocity = np.zeros((count, 3))
     velocity[:, 2] = interval * gravity(0.8)
-    start = at_rest(latitude, [0.0, 0.1, 0.5, 1.0], [0.0, 3.1, -3.1], [0.0, 100.0, 5000.0])
+    start = stationary_state(latitude, [0.0, 0.1, 0.5, 1.0], [0.0, 3.1, -3.1], [0.0, 100.0, 5000.0])
     start = start._replace(velocity=np.array([5.0, -3.0, 0.5]))
     record = Increments(interval, angle, velocity)
     plain, fast = both(lambda: navigate(start, record, every=every, hold_altitude=hold_altitude))
@@ -108,18 +108,21 @@ def test_navigations_agree(every, hold_altitude, both):
 
 @pytest.mark.parametrize("runs", [None, 3])
 def test_calibrations_agree(runs, both):
-    trial = TableTrial(Scheme("+90X +180Z -90Y", dwell=60.0), sample_interval=0.1)
+    trial = TurntableTrial(Scheme("+90X +180Z -90Y", dwell=60.0), sample_interval=0.1)
     plain, fast = (found.calibration for found in both(lambda: trial.run(5, runs)))
-    assert (np.abs(fast.state - plain.state) <= 1e-6 * plain.deviations).all()
-    np.testing.assert_allclose(fast.deviations, plain.deviations, rtol=1e-9)
+    assert (np.abs(fast.state - plain.state) <= 1e-6 * plain.standard_deviations).all()
+    np.testing.assert_allclose(fast.standard_deviations, plain.standard_deviations, rtol=1e-9)
 
 
 def test_covariances_agree(both):
     way = linearize_along(NINETEEN_POSITIONS, 0.7, "averaged")
-    plain, fast = both(lambda: covariance_analysis(way, ImuNoise(), PriorDeviations()))
-    deviations = np.sqrt(plain.diagonal())
+    plain, fast = both(lambda: covariance_analysis(way, ImuNoise(), PriorStandardDeviations()))
+    standard_deviations = np.sqrt(plain.diagonal())
     np.testing.assert_allclose(
-        fast / deviations, plain / deviations, rtol=0, atol=1e-9 * deviations.max()
+        fast / standard_deviations,
+        plain / standard_deviations,
+        rtol=0,
+        atol=1e-9 * standard_deviations.max(),
     )
     assert (fast == fast.T).all()
 

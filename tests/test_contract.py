@@ -109,23 +109,23 @@ CASES = {
     error_kinematics.error_composition_matrix: {"attitude": Q},
     error_kinematics.error_rate_matrix: {"rate": RATE, "measured_rate": MEASURED},
     error_kinematics.error_quaternion: {"rate": RATE, "measured_rate": MEASURED, "time": TIME},
-    triad.triad_matrix: {"triad_error": BENT},
-    triad.measured_rate: {"rate": RATE, "triad_error": BENT},
+    triad.triad_matrix: {"error_matrix": BENT},
+    triad.measured_rate: {"rate": RATE, "error_matrix": BENT},
     characteristic_equation.characteristic_polynomial: {"rate": RATE, "measured_rate": MEASURED},
     characteristic_equation.exact_roots: {"rate": RATE, "measured_rate": MEASURED},
-    characteristic_equation.asymptotic_roots: {"rate": RATE, "triad_error": BENT},
+    characteristic_equation.asymptotic_roots: {"rate": RATE, "error_matrix": BENT},
     vectors.direction_from_angles: {"azimuth": TIME, "elevation": TIME},
-    systematic_drift.drift_coefficient: {"direction": RATE, "triad_error": BENT},
-    systematic_drift.drift_per_turn: {"direction": RATE, "triad_error": BENT},
+    systematic_drift.drift_coefficient: {"direction": RATE, "error_matrix": BENT},
+    systematic_drift.drift_per_revolution: {"direction": RATE, "error_matrix": BENT},
     characteristic_equation.split_error_rate_matrix: {"rate": RATE, "measured_rate": MEASURED},
-    triad.non_orthogonality: {"triad_error": BENT},
-    systematic_drift.principal_drifts: {"triad_error": BENT},
+    triad.non_orthogonality: {"error_matrix": BENT},
+    systematic_drift.principal_drifts: {"error_matrix": BENT},
     triad.pairwise_non_orthogonality: {"axes": np.eye(3)[[1, 2, 0]]},
     turn_calibration.turn_estimate: {"error_quaternion": Q, "axis": RATE},
-    turn_calibration.exact_turn_estimate: {"axis": RATE, "triad_error": BENT},
-    turn_calibration.TurnExperiment(1, 5).error_quaternion: {"axis": RATE, "triad_error": BENT},
-    turn_calibration.TurnExperiment(1, 5).estimate: {"axis": RATE, "triad_error": BENT},
-    turn_calibration.earth_offset: {
+    turn_calibration.exact_turn_estimate: {"axis": RATE, "error_matrix": BENT},
+    turn_calibration.TurnExperiment(1, 5).error_quaternion: {"axis": RATE, "error_matrix": BENT},
+    turn_calibration.TurnExperiment(1, 5).estimate: {"axis": RATE, "error_matrix": BENT},
+    turn_calibration.earth_rate_offset: {
         "latitude": LATITUDE,
         "table_rate": TIME,
         "table_axis": RATE,
@@ -135,7 +135,7 @@ CASES = {
         "increments": np.tile([0.0, 0.0, 1.0], (6, 1)),
         "axis": np.array([0.0, 0.0, 2.0]),
     },
-    weighing_designs.weighing: {"estimates": Q},
+    weighing_designs.weighing_estimate: {"estimates": Q},
     cayley.cayley_transform: {"matrix": BENT},
     cayley.skew_operator: {"vector": RATE},
     cayley.cayley_vector: {"quaternion": Q},
@@ -161,18 +161,18 @@ CASES = {
         "increments": INCREMENTS,
         "history": INCREMENTS[:2],
     },
-    fixed(integration.step_vectors, algorithm="one-step-3"): {"increments": INCREMENTS},
+    fixed(integration.step_rotation_vectors, algorithm="one-step-3"): {"increments": INCREMENTS},
     fixed(drift_on_cones.coning_drift, algorithm="rotation-vector-2"): {
         "half_angle": PITCH,
         "frequency": TIME,
         "sample_interval": TIME,
     },
-    fixed(drift_on_cones.measured_coning_drift, algorithm="memory-4", count=4): {
+    fixed(drift_on_cones.simulated_coning_drift, algorithm="memory-4", count=4): {
         "half_angle": PITCH,
         "frequency": TIME,
         "sample_interval": TIME,
     },
-    fixed(own_algorithms.own_steps, algorithm=lambda g: g[0::2] + g[1::2]): {
+    fixed(own_algorithms.checked_steps, algorithm=lambda g: g[0::2] + g[1::2]): {
         "increments": INCREMENTS
     },
     fixed(noise_amplification.step_noise_covariance, algorithm="one-step-3"): {"turn": RATE},
@@ -188,11 +188,11 @@ CASES = {
     profiles.FixedAxis(0.3, 0.5).rate: {"time": TIME},
     quaternion.rotate: {"quaternion": Q, "vector": RATE},
     quaternion.to_matrix: {"quaternion": Q},
-    triad.decompose: {"matrix": BENT},
-    body_frames.misalignment_vector: {"gyro_error": BENT},
-    body_frames.body_frame_rotation: {"gyro_error": BENT},
-    fixed(body_frames.body_frame_rotation, frame="upper triangle"): {"gyro_error": BENT},
-    fixed(body_frames.body_frame_rotation, frame="lower triangle"): {"gyro_error": BENT},
+    triad.split_error_matrix: {"matrix": BENT},
+    body_frames.misalignment_vector: {"gyro_error_matrix": BENT},
+    body_frames.body_frame_rotation: {"gyro_error_matrix": BENT},
+    fixed(body_frames.body_frame_rotation, frame="upper triangle"): {"gyro_error_matrix": BENT},
+    fixed(body_frames.body_frame_rotation, frame="lower triangle"): {"gyro_error_matrix": BENT},
     body_frames.change_body_frame: {"matrix": BENT, "rotation": BENT},
     vectors.cross_matrix: {"vector": RATE},
     kalman.predict: {
@@ -211,7 +211,7 @@ CASES = {
     heading_error.coriolis_correction: {"latitude": LATITUDE, "velocity": LEVEL},
     noise.GyroNoise().allan_deviation: {"averaging_times": TIME},
     NoiseTerms(1e-6, 1e-5).deviation: {"averaging_times": TIME},
-    trials.table_heading_error: {
+    trials.turntable_heading_error: {
         "dial": TIME,
         "gyro_bias_body": 1e-6 * RATE,
         "accelerometer_bias_body": RATE,
@@ -220,11 +220,11 @@ CASES = {
         "tilt": 1e-2 * LEVEL,
     },
     vehicle.static_imu: {"attitude": Q, "latitude": LATITUDE, "gravity": GRAVITY},
-    fixed(alignment_deviations.alignment_deviation, angle_random_walk=1e-6): {
+    fixed(alignment_deviations.alignment_standard_deviation, angle_random_walk=1e-6): {
         "latitude": LATITUDE,
         "duration": TIME,
     },
-    fixed(alignment_deviations.two_position_deviation, angle_random_walk=1e-6): {
+    fixed(alignment_deviations.two_position_standard_deviation, angle_random_walk=1e-6): {
         "latitude": LATITUDE,
         "duration": TIME,
         "turn_angle": TIME,
@@ -258,7 +258,7 @@ CASES = {
         "pitch": PITCH,
         "proportional_rate": LEVEL,
     },
-    fixed(inertial_alignment.inertial_alignment_deviation, angle_random_walk=1e-6): {
+    fixed(inertial_alignment.inertial_alignment_standard_deviation, angle_random_walk=1e-6): {
         "latitude": LATITUDE,
         "duration": TIME,
     },
@@ -295,12 +295,12 @@ APART = {
     turns_by_hand.near_turns,
     weighing_designs.fit_turns,  # its two arguments share an axis instead of broadcasting
     # Their increments must close, bent a little they do not.
-    closed_motion.drift_per_motion,
-    closed_motion.exact_drift_per_motion,
+    closed_motion.drift_per_cycle,
+    closed_motion.exact_drift_per_cycle,
     riccati.integrate_riccati,  # takes a row of times and returns all that it knows about them
-    finite_precision.integrate_in_word,  # answers in the word that it is asked for
+    finite_precision.integrate_finite_word,  # answers in the word that it is asked for
     # Their arguments and answers are records of several arrays.
-    strapdown.at_rest,
+    strapdown.stationary_state,
     turntable.static_trajectory,
     vectors.wrap_angle,
     increments.compensate,
@@ -312,21 +312,21 @@ APART = {
     body_axes.attitude_error,
     static_navigation.navigate_static,
     static_error_growth.checked_moments,  # a row
-    static_error_growth.static_causes,
+    static_error_growth.static_error_sources,
     static_error_growth.static_errors,
-    static_error_growth.schuler_position,
+    static_error_growth.schuler_position_error,
     error_budget.mission_errors,
-    error_budget.mission_causes,
-    error_budget.calibration_budget,
+    error_budget.mission_error_sources,
+    error_budget.calibration_error_budget,
     matrix_conventions.checked_zeros,
     levelling.propagate_level_frame,
     inertial_alignment.align_in_inertial_frame,
-    two_position_alignment.align_in_positions,  # its positions share an axis
-    simulation.simulate_compass,
+    two_position_alignment.align_multi_position,  # its positions share an axis
+    simulation.simulate_gyrocompass,
     vehicle.vehicle_trajectory,
     # Their last axis is a row, and shorter or gone in the answer.
     allan.allan_deviation,
-    trials.range_over_deviation,
+    trials.range_over_standard_deviation,
 }
 
 BAD = {

@@ -156,11 +156,12 @@ def test_the_package_alone_calibrates_aligns_and_integrates(installed: Installed
         import numpy as np
         import driftlab as dl
         bent = np.array([[0, 2e-3, 0], [0, 0, 0], [0, 0, 0]])
-        print(np.isclose(dl.drift_per_turn([1, 1, 0], bent), 2 * np.pi * 1e-3, rtol=1e-3))
+        print(np.isclose(dl.drift_per_revolution([1, 1, 0], bent), 2 * np.pi * 1e-3, rtol=1e-3))
         print(dl.integrate(np.full((8, 3), 1e-3), "two-step-4").shape)
-        found = dl.TableTrial().run(np.random.default_rng(1), imu_errors=dl.TYPICAL_ERRORS)
+        trial, rng = dl.calibration.TurntableTrial(), np.random.default_rng(1)
+        found = trial.run(rng, imu_errors=dl.imu.TYPICAL_ERRORS)
         bias = found.calibration.imu_errors.gyro_bias
-        print(np.allclose(bias, dl.TYPICAL_ERRORS.gyro_bias, rtol=0.2))
+        print(np.allclose(bias, dl.imu.TYPICAL_ERRORS.gyro_bias, rtol=0.2))
         print(round(float(np.degrees(dl.align([4.6e-5, 0, 5.7e-5], [0, 9.8, 0]).pitch))))
         print(dl.__file__)
         print({"IPython", "jupyterlab", "matplotlib", "sympy"} & sys.modules.keys())

@@ -86,11 +86,13 @@ def test_every_name_on_offer_is_there(package):
 
 
 def test_names_mean_what_the_modules_say():
-    from driftlab.drift.systematic_drift import drift_per_turn
+    from driftlab.drift.systematic_drift import drift_per_revolution
     from driftlab.gyrocompass.alignment import align
 
     assert driftlab.align is driftlab.gyrocompass.align is align
-    assert driftlab.drift.drift_per_turn is driftlab.drift_per_turn is drift_per_turn
+    assert (
+        driftlab.drift.drift_per_revolution is driftlab.drift_per_revolution is drift_per_revolution
+    )
 
 
 def test_unknown_name_is_an_attribute_error():
@@ -100,7 +102,12 @@ def test_unknown_name_is_an_attribute_error():
 
 @pytest.mark.parametrize(
     "name",
-    ["recordings.read_csv", "attitude.coning_drift", "earth.EARTH_RATE", "checks.UnusualWarning"],
+    [
+        "recordings.read_csv",
+        "attitude.step_quaternions",
+        "earth.EARTH_RATE",
+        "checks.UnusualWarning",
+    ],
 )
 def test_a_name_that_is_deeper_is_told_where(name):
     with pytest.raises(AttributeError, match=rf"; did you mean driftlab\.{name}\?$"):
@@ -142,7 +149,7 @@ def test_overview_names_every_module():
         ("cross-coupling", "triad"),
         ("nis", "calibration.kalman"),
         ("northing error", "gyrocompass.heading_error"),
-        ("rate table", "motion.table_turn"),
+        ("rate table", "motion.turntable_rotation"),
         ("sculling", "attitude.sculling"),
         ("IMO", "gyrocompass.type_test"),
         ("ISO 8728", "gyrocompass.type_test"),

@@ -20,10 +20,16 @@ from support import helper_modules
 
 # Calls that take a hundredth of a second or more are made with a few of the changes only.
 LONG = {
-    *("DesignTask.value", "design_scheme", "calibrate_by_poses", "fit_noise_terms", "calibrate"),
-    *("align_in_inertial_frame", "fit_gyro_noise", "TableTrial.run", "marine_type_test"),
+    *(
+        "DesignTask.value",
+        "design_scheme",
+        "calibrate_multi_position",
+        "fit_noise_terms",
+        "calibrate",
+    ),
+    *("align_in_inertial_frame", "fit_gyro_noise", "TurntableTrial.run", "marine_type_test"),
     *("allan_deviation", "integrate_riccati", "navigate_static", "stripped_observability"),
-    *("covariance_analysis", "deviation_history", "read_csv", "ferraris_sections"),
+    *("covariance_analysis", "standard_deviation_history", "read_csv", "ferraris_sections"),
 }
 QUICK = settings.default.max_examples < 60
 every_module = pytest.mark.parametrize(

@@ -8,12 +8,12 @@ from driftlab.higher_order_errors import (
     HigherOrderErrors,
     _rate_changes,
     checked_higher_order_errors,
-    felt_besides,
+    higher_order_effects,
 )
 from driftlab.imu import TYPICAL_ERRORS
 from driftlab.increments import Increments, compensate, measure
 from driftlab.motion.scheme import Scheme
-from driftlab.motion.turntable import table_trajectory
+from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import rotate
 from support import EPS, order_of
 
@@ -56,7 +56,7 @@ def test_increments_permit_the_second_order_of_the_interval():
     def error(size):
         count = 2 * round(2 / size)
         angle, velocity, *expected = exactly(BENT, size / 2, count)
-        found = felt_besides(size / 2, angle, velocity, BENT)
+        found = higher_order_effects(size / 2, angle, velocity, BENT)
         # As a rate; at the record's ends the rate beyond is not known.
         gaps = [np.abs((a - b)[1:-1]) for a, b in zip(found, expected, strict=True)]
         return max(gap.max() for gap in gaps) / size
@@ -67,7 +67,7 @@ def test_increments_permit_the_second_order_of_the_interval():
 def test_the_size_effect_of_a_steady_turn_is_exact():
     rate, arm, seconds = np.array([0.3, -0.2, 0.5]), RNG.standard_normal((3, 3)), 0.1
     angle = np.tile(rate * seconds, (5, 1))
-    _, found = felt_besides(
+    _, found = higher_order_effects(
         seconds, angle, np.zeros((5, 3)), NO_HIGHER_ORDER_ERRORS._replace(lever_arms=arm)
     )
     for i in range(3):
@@ -77,13 +77,13 @@ def test_the_size_effect_of_a_steady_turn_is_exact():
 
 def test_an_arm_common_to_all_three_is_a_velocity_that_ends_with_the_turn():
     """The velocity of the point at the arm's end is w x r; nothing of it stays."""
-    record = table_trajectory(Scheme("+90X +40Y", dwell=1.0), 0.7, 0.01)
+    record = turntable_trajectory(Scheme("+90X +40Y", dwell=1.0), 0.7, 0.01)
     true = record.increments
     common = NO_HIGHER_ORDER_ERRORS._replace(lever_arms=np.tile([0.3, -0.2, 0.1], (3, 1)))
     own = NO_HIGHER_ORDER_ERRORS._replace(lever_arms=np.diag([0.3, -0.2, 0.1]))
     left = []
     for errors in (common, own):
-        _, more = felt_besides(0.01, true.angle, true.velocity, errors)
+        _, more = higher_order_effects(0.01, true.angle, true.velocity, errors)
         left.append(np.abs(rotate(record.attitude[1:], more).sum(axis=0)).max())
     # Turned by the attitude at the end of each interval, which turns by 1.7 milliradians in it.
     assert left[0] < 0.1745 * 0.4 * 2e-3 < 0.01 < left[1]
@@ -99,7 +99,7 @@ def test_late_accelerometers_read_what_was_there_before():
     """A force that is fixed in space: tau later the body has turned by tau w."""
     late, rate = 1e-4, np.array([0.2, 0.4, -0.1])
     force = np.array([1.0, 2.0, 9.0])
-    _, found = felt_besides(
+    _, found = higher_order_effects(
         0.01,
         rate[np.newaxis] * 0.01,
         force[np.newaxis] * 0.01,
@@ -110,7 +110,7 @@ def test_late_accelerometers_read_what_was_there_before():
 
 
 def test_compensation_is_the_inverse_to_third_order():
-    true = table_trajectory(Scheme("+90X +40Y", dwell=1.0), 0.7, 0.05).increments
+    true = turntable_trajectory(Scheme("+90X +40Y", dwell=1.0), 0.7, 0.05).increments
 
     def error(size):
         errors = HigherOrderErrors(*(300 * size * part for part in BENT))
@@ -143,7 +143,7 @@ def test_the_unit_without_them_cannot_be_bent():
 
 
 def test_leading_axes_are_units():
-    true = table_trajectory(Scheme("+40Y", dwell=1.0), 0.7, 0.1).increments
+    true = turntable_trajectory(Scheme("+40Y", dwell=1.0), 0.7, 0.1).increments
     units = BENT._replace(time_skew=np.array([0.0, 1e-3]))
     together = measure(true, TYPICAL_ERRORS, higher_order=units)
     for k in range(2):

@@ -108,8 +108,8 @@ def test_functions_of_a_task_are_where_it_says(task, recipe):
 @pytest.mark.parametrize(
     ("word", "function"),
     [
-        ("boresight", "triad.decompose"),
-        ("cross-coupling", "drift.drift_per_turn"),
+        ("boresight", "triad.split_error_matrix"),
+        ("cross-coupling", "drift.drift_per_revolution"),
         ("turntable", "calibration.calibrate"),
         ("log", "recordings.read_csv"),
         ("Allan", "allan.allan_deviation"),

@@ -11,7 +11,7 @@ from driftlab.imu import (
     TYPICAL_ERRORS,
     ImuErrors,
     ImuNoise,
-    PriorDeviations,
+    PriorStandardDeviations,
     checked_imu_errors,
     random_imu_errors,
 )
@@ -33,17 +33,17 @@ STANDING = Increments(0.25, np.zeros((2, 3)), np.zeros((2, 3)))
 
 
 def test_random_units_are_as_large_as_their_spread():
-    prior = PriorDeviations(
-        1e-3, gyro_bias=0.2, accelerometer_bias=3.0, scale=0.5, installation=0.7
+    prior = PriorStandardDeviations(
+        1e-3, gyro_bias=0.2, accelerometer_bias=3.0, scale_factor=0.5, installation=0.7
     )
     many = random_imu_errors(prior, np.random.default_rng(6), 100, 50)
     sizes = np.where(np.eye(3) == 1, 0.5, 0.7)
     values = np.concatenate(
         [
             many.gyro_bias / 0.2,
-            (many.gyro_error / sizes).reshape(100, 50, 9),
+            (many.gyro_error_matrix / sizes).reshape(100, 50, 9),
             many.accelerometer_bias / 3,
-            (many.accelerometer_error / sizes).reshape(100, 50, 9),
+            (many.accelerometer_error_matrix / sizes).reshape(100, 50, 9),
         ],
         axis=-1,
     )
@@ -52,13 +52,13 @@ def test_random_units_are_as_large_as_their_spread():
 
 @pytest.mark.parametrize("shape", [(), (4,), (2, 3)], ids=str)
 def test_random_units_have_the_shape_that_was_asked_for(shape):
-    many = random_imu_errors(PriorDeviations(), np.random.default_rng(0), *shape)
+    many = random_imu_errors(PriorStandardDeviations(), np.random.default_rng(0), *shape)
     for field, plain in zip(many, NO_ERRORS, strict=True):
         assert field.shape == shape + plain.shape
 
 
 def test_units_without_spread_are_perfect():
-    imu_errors = random_imu_errors(PriorDeviations(0, 0, 0, 0, 0), np.random.default_rng(0))
+    imu_errors = random_imu_errors(PriorStandardDeviations(0, 0, 0, 0, 0), np.random.default_rng(0))
     for field, expected in zip(imu_errors, NO_ERRORS, strict=True):
         np.testing.assert_array_equal(field, expected)
 
@@ -76,15 +76,15 @@ def test_typical_unit_in_engineering_units():
     np.testing.assert_allclose(TYPICAL_ERRORS.accelerometer_bias / g * 1e6, [10, 20, 30])
     off = ~np.eye(3, dtype=bool)
     for matrix, installation in (
-        (TYPICAL_ERRORS.gyro_error, [10, 20, 30, 40, 50, 60]),
-        (TYPICAL_ERRORS.accelerometer_error, [10, 20, 30, 10, 20, 30]),
+        (TYPICAL_ERRORS.gyro_error_matrix, [10, 20, 30, 40, 50, 60]),
+        (TYPICAL_ERRORS.accelerometer_error_matrix, [10, 20, 30, 10, 20, 30]),
     ):
         np.testing.assert_allclose(np.diag(matrix) * 1e6, [10, 20, 30])
         np.testing.assert_allclose(matrix[off] / ARC_SECOND, installation)
 
 
 def test_default_noise_and_spread_in_engineering_units():
-    noise, prior = ImuNoise(), PriorDeviations()
+    noise, prior = ImuNoise(), PriorStandardDeviations()
     # 0.005 degrees after one hour.
     assert noise.angle_random_walk * np.sqrt(3600) == pytest.approx(np.radians(0.005))
     assert noise.velocity_random_walk / g * 1e6 == pytest.approx(5)
@@ -92,7 +92,7 @@ def test_default_noise_and_spread_in_engineering_units():
     assert prior.attitude / ARC_SECOND == pytest.approx(60)
     assert prior.gyro_bias / HOURLY == pytest.approx(0.3)
     assert prior.accelerometer_bias / g * 1e6 == pytest.approx(300)
-    assert prior.scale * 1e6 == pytest.approx(100)
+    assert prior.scale_factor * 1e6 == pytest.approx(100)
     assert prior.installation / ARC_SECOND == pytest.approx(40)
     assert prior.lever_arm == 0.03
     assert prior.time_skew == 0.001
@@ -102,11 +102,11 @@ def test_default_noise_and_spread_in_engineering_units():
 
 def test_typical_unit_is_one_that_the_spread_can_draw():
     """A filter that is told the default spread must find it plausible: all within three of it."""
-    prior = PriorDeviations()
-    installation = np.where(np.eye(3) == 1, prior.scale, prior.installation)
+    prior = PriorStandardDeviations()
+    installation = np.where(np.eye(3) == 1, prior.scale_factor, prior.installation)
     assert (np.abs(TYPICAL_ERRORS.gyro_bias) < 3 * prior.gyro_bias).all()
     assert (np.abs(TYPICAL_ERRORS.accelerometer_bias) < 3 * prior.accelerometer_bias).all()
-    for matrix in (TYPICAL_ERRORS.gyro_error, TYPICAL_ERRORS.accelerometer_error):
+    for matrix in (TYPICAL_ERRORS.gyro_error_matrix, TYPICAL_ERRORS.accelerometer_error_matrix):
         assert (np.abs(matrix) < 3 * installation).all()
 
 
@@ -115,7 +115,7 @@ def test_typical_unit_is_one_that_the_spread_can_draw():
 
 @pytest.mark.parametrize(
     ("kind", "name"),
-    [(kind, field.name) for kind in (ImuNoise, PriorDeviations) for field in fields(kind)],
+    [(kind, field.name) for kind in (ImuNoise, PriorStandardDeviations) for field in fields(kind)],
 )
 def test_sizes_that_are_no_deviations_are_refused_by_name(kind, name):
     with pytest.raises(
@@ -147,7 +147,7 @@ def test_units_of_the_wrong_shape_are_refused_by_name(name):
 
 
 def test_units_whose_leading_axes_do_not_fit_are_refused():
-    bad = UNIT._replace(gyro_bias=np.zeros((2, 3)), accelerometer_error=np.zeros((4, 3, 3)))
+    bad = UNIT._replace(gyro_bias=np.zeros((2, 3)), accelerometer_error_matrix=np.zeros((4, 3, 3)))
     with pytest.raises(ValueError, match=r"^gyro_bias, .*: expected leading axes that broadcast"):
         checked_imu_errors(bad)
 

@@ -10,7 +10,7 @@ from driftlab.imu import (
     TYPICAL_ERRORS,
     ImuErrors,
     ImuNoise,
-    PriorDeviations,
+    PriorStandardDeviations,
     random_imu_errors,
 )
 from driftlab.increments import Increments, checked_increments, compensate, measure
@@ -80,7 +80,7 @@ def test_perfect_unit_says_the_truth(angle, velocity):
 
 def test_each_of_many_units_has_its_own_errors():
     rng = np.random.default_rng(4)
-    many = random_imu_errors(PriorDeviations(scale=0.1, installation=0.1), rng, 2, 3)
+    many = random_imu_errors(PriorStandardDeviations(scale_factor=0.1, installation=0.1), rng, 2, 3)
     angle, velocity = rng.normal(size=(2, 5, 3))
     true = Increments(0.1, angle, velocity)
     said = measure(true, many)
@@ -130,7 +130,7 @@ def test_noise_comes_on_top_of_what_is_said():
 
 
 def test_units_draw_noise_of_their_own():
-    many = random_imu_errors(PriorDeviations(), np.random.default_rng(1), 4)
+    many = random_imu_errors(PriorStandardDeviations(), np.random.default_rng(1), 4)
     true = Increments(1.0, np.zeros((5000, 3)), np.zeros((5000, 3)))
     noise = ImuNoise(1e-3, 1e-2)
     plain, noisy = measure(true, many), measure(true, many, noise, np.random.default_rng(2))
@@ -197,7 +197,7 @@ def test_what_is_no_row_of_increments_is_refused_by_name(bad, words):
             refusing(GOOD._replace(**bad))
 
 
-@pytest.mark.parametrize("name", ["gyro_error", "accelerometer_error"])
+@pytest.mark.parametrize("name", ["gyro_error_matrix", "accelerometer_error_matrix"])
 def test_nothing_is_taken_out_of_a_flat_triad(name):
     errors = UNIT._replace(**{name: np.diag([0.0, 0.0, 1.0])})
     twice = compensate(measure(GOOD, errors), errors)

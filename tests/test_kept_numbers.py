@@ -12,12 +12,12 @@ from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.calibration.matrix_conventions import NominalReadings
 from driftlab.calibration.scheme_design import DesignTask
-from driftlab.calibration.simulation import TableTrial
+from driftlab.calibration.simulation import TurntableTrial
 from driftlab.drift.turn_calibration import TurnExperiment
 from driftlab.gyrocompass.noise import GyroNoise
 from driftlab.gyrocompass.type_test import Gyrocompass
-from driftlab.imu import ImuNoise, PriorDeviations
-from driftlab.motion import Coning, FixedAxis, Scheme, Sway, TableTurn
+from driftlab.imu import ImuNoise, PriorStandardDeviations
+from driftlab.motion import Coning, FixedAxis, Scheme, Sway, TurntableRotation
 from driftlab.noise_terms import NoiseTerms
 from driftlab.recordings import Layout, Recording
 from support import helper_modules
@@ -30,7 +30,7 @@ TOLD = {
     Coning: {"half_angle": 0.25, "frequency": 0.5},
     Sway: {"amplitude": 0.25, "frequency": 0.5},
     FixedAxis: {"amplitude": 0.25, "frequency": 0.5, "axis": (1, 2, 2)},
-    TableTurn: {"rate": 0.5, "latitude": 0.75},
+    TurntableRotation: {"rate": 0.5, "latitude": 0.75},
     Scheme: {"rotations": "+90X"},
     Recording: {
         **{"gyro": np.zeros((2, 3)), "accelerometer": None, "interval": 0.5, "kind": "rates"},
@@ -38,9 +38,9 @@ TOLD = {
     },
     Layout: {"gyro": (1, 2, 3), "rate": 0.5, "latitude": 0.75, "gravity": 9.8125},
     FunctionalIteration: {"name": "mine", "window": 4, "iterations": 2},
-    TableTrial: {"sample_interval": 0.0625},
+    TurntableTrial: {"sample_interval": 0.0625},
     **{kind: {} for kind in (DesignTask, TurnExperiment, GyroNoise, Gyrocompass)},
-    **{kind: {} for kind in (ImuNoise, NominalReadings, PriorDeviations, NoiseTerms)},
+    **{kind: {} for kind in (ImuNoise, NominalReadings, PriorStandardDeviations, NoiseTerms)},
 }
 """What has no default, in numbers that single precision has exactly."""
 

@@ -14,7 +14,7 @@ from joblib.externals.loky import get_reusable_executor
 from scipy.stats import binom, chi2
 
 from driftlab import monte_carlo
-from driftlab.calibration.simulation import TableTrial
+from driftlab.calibration.simulation import TurntableTrial
 from driftlab.monte_carlo import FOLDER, mean_square_bounds, run_batches
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 from support import ROOT
@@ -85,13 +85,15 @@ def test_workers_change_nothing():
 
 
 def test_trials_in_processes_are_those_of_this_one():
-    trial = TableTrial(SHORT, sample_interval=0.5, update_interval=3.0)
+    trial = TurntableTrial(SHORT, sample_interval=0.5, update_interval=3.0)
     expected = run_batches(trial.run, 3, seed=1, batch_size=2)
     found = run_batches(trial.run, 3, seed=1, batch_size=2, workers=2)
     for one, other in zip(found, expected, strict=True):
         # A worker has one thread for matrices; sums in another order round differently.
         np.testing.assert_allclose(one.errors, other.errors, rtol=1e-9, atol=1e-15)
-        np.testing.assert_array_equal(one.imu_errors.gyro_error, other.imu_errors.gyro_error)
+        np.testing.assert_array_equal(
+            one.imu_errors.gyro_error_matrix, other.imu_errors.gyro_error_matrix
+        )
 
 
 def test_workers_have_one_thread_each():
@@ -258,12 +260,16 @@ def test_a_batch_is_compiled_as_where_it_was_asked_for(monkeypatch):
     assert monte_carlo.loops.asked is False
 
 
-@given(freedom=st.integers(1, 60), runs=st.integers(1, 1000), confidence=st.floats(0.01, 0.999))
-def test_bounds_keep_equal_tails_outside(freedom, runs, confidence):
-    low, high = mean_square_bounds(freedom, runs, confidence)
+@given(
+    degrees_of_freedom=st.integers(1, 60),
+    runs=st.integers(1, 1000),
+    confidence=st.floats(0.01, 0.999),
+)
+def test_bounds_keep_equal_tails_outside(degrees_of_freedom, runs, confidence):
+    low, high = mean_square_bounds(degrees_of_freedom, runs, confidence)
     tail = (1 - confidence) / 2
-    assert chi2.cdf(runs * low, freedom * runs) == pytest.approx(tail, rel=1e-6)
-    assert chi2.sf(runs * high, freedom * runs) == pytest.approx(tail, rel=1e-6)
+    assert chi2.cdf(runs * low, degrees_of_freedom * runs) == pytest.approx(tail, rel=1e-6)
+    assert chi2.sf(runs * high, degrees_of_freedom * runs) == pytest.approx(tail, rel=1e-6)
 
 
 def test_bounds_are_those_of_tables():

@@ -19,16 +19,19 @@ def test_a_fit_finds_the_terms_within_its_deviations_and_bounds_the_others():
     found = allan_deviation(MIXED.samples(5000, 1.0, rng, runs), 1.0)
     fits = [fit_noise_terms(found.row(run)) for run in range(runs)]
     for name in ("quantisation", "angle_random_walk", "rate_random_walk"):
-        seen = [fit for fit in fits if name in fit.deviations]
+        seen = [fit for fit in fits if name in fit.standard_deviations]
         assert len(seen) >= 0.9 * runs
         errors = [
-            (getattr(fit.terms, name) - getattr(MIXED, name)) / fit.deviations[name] for fit in seen
+            (getattr(fit.terms, name) - getattr(MIXED, name)) / fit.standard_deviations[name]
+            for fit in seen
         ]
         assert np.mean(np.square(errors)) < chi_bounds(len(errors))[1]
         assert abs(np.mean(errors)) < 4.9 / np.sqrt(len(errors))
     for name in ("bias_instability", "rate_ramp"):
         # Seen by mistake once in some twenty runs.
-        assert sum(name in fit.deviations for fit in fits) <= binom.ppf(1 - MILLION, runs, 0.05)
+        assert sum(name in fit.standard_deviations for fit in fits) <= binom.ppf(
+            1 - MILLION, runs, 0.05
+        )
         assert all(fit.upper_bounds[name] > 0 for fit in fits if name in fit.upper_bounds)
     assert np.mean([fit.misfit for fit in fits]) < 1.1
 
@@ -37,9 +40,11 @@ def test_a_fit_finds_the_terms_within_its_deviations_and_bounds_the_others():
 def test_a_pure_term_is_found_alone(name):
     rng = np.random.default_rng(7)
     fit = fit_noise_terms(allan_deviation(NoiseTerms(**{name: 1.0}).samples(4000, 1.0, rng), 1.0))
-    assert list(fit.deviations) == [name]
+    assert list(fit.standard_deviations) == [name]
     assert list(fit.upper_bounds) == [term for term in TERMS if term != name]
-    assert getattr(fit.terms, name) == pytest.approx(1.0, abs=4.9 * fit.deviations[name] + 1e-6)
+    assert getattr(fit.terms, name) == pytest.approx(
+        1.0, abs=4.9 * fit.standard_deviations[name] + 1e-6
+    )
     place = TERMS.index(name)
     assert np.flatnonzero(np.diagonal(fit.covariance)).tolist() in ([place], [])
 
@@ -84,7 +89,7 @@ def test_an_unseen_term_is_smaller_than_its_bound_with_95_percent():
 def test_units_are_whatever_the_samples_have():
     rates = MIXED.samples(2000, 1.0, np.random.default_rng(11))
     once, small = (fit_noise_terms(allan_deviation(s * rates, 1.0)) for s in (1.0, 1e-9))
-    for name in once.deviations:
+    for name in once.standard_deviations:
         assert getattr(small.terms, name) == pytest.approx(1e-9 * getattr(once.terms, name))
     for name, bound in once.upper_bounds.items():
         assert small.upper_bounds[name] == pytest.approx(1e-9 * bound, rel=1e-2)
@@ -93,8 +98,8 @@ def test_units_are_whatever_the_samples_have():
 def test_deviations_and_misfit_follow_from_the_covariance_and_the_variances():
     found = allan_deviation(MIXED.samples(2000, 1.0, np.random.default_rng(11)), 1.0)
     fit = fit_noise_terms(found)
-    assert len(fit.deviations) > 1
-    for name, deviation in fit.deviations.items():
+    assert len(fit.standard_deviations) > 1
+    for name, deviation in fit.standard_deviations.items():
         place, term = TERMS.index(name), getattr(fit.terms, name)
         # A term is the root of its square.
         assert 2 * term * deviation == pytest.approx(np.sqrt(fit.covariance[place, place]))
@@ -107,11 +112,11 @@ def test_terms_follow_the_unit_of_time():
     rates = MIXED.samples(2000, 1.0, np.random.default_rng(11))
     once, shorter = (fit_noise_terms(allan_deviation(rates, step)) for step in (1.0, 0.1))
     powers = dict(zip(TERMS, (1.0, 0.5, 0.0, -0.5, -1.0), strict=True))
-    assert once.deviations.keys() == shorter.deviations.keys()
-    for name, deviation in once.deviations.items():
+    assert once.standard_deviations.keys() == shorter.standard_deviations.keys()
+    for name, deviation in once.standard_deviations.items():
         scale = 0.1 ** powers[name]
         assert getattr(shorter.terms, name) == pytest.approx(scale * getattr(once.terms, name))
-        assert shorter.deviations[name] == pytest.approx(scale * deviation)
+        assert shorter.standard_deviations[name] == pytest.approx(scale * deviation)
     for name, bound in once.upper_bounds.items():
         assert shorter.upper_bounds[name] == pytest.approx(0.1 ** powers[name] * bound, rel=1e-2)
     assert shorter.misfit == pytest.approx(once.misfit)

@@ -21,9 +21,9 @@ from driftlab.calibration import (
 )
 from driftlab.checks import finite_array
 from driftlab.drift import error_kinematics, turn_calibration, weighing_designs
-from driftlab.gyrocompass import align_in_positions, two_position_alignment
-from driftlab.imu import NO_ERRORS, ImuNoise, PriorDeviations
-from driftlab.motion import Scheme, table_trajectory, turntable, vehicle
+from driftlab.gyrocompass import align_multi_position, two_position_alignment
+from driftlab.imu import NO_ERRORS, ImuNoise, PriorStandardDeviations
+from driftlab.motion import Scheme, turntable, turntable_trajectory, vehicle
 from support import helper_modules, random_quaternions
 
 ONE = random_quaternions(seed=1)
@@ -37,7 +37,7 @@ ROWS = np.full((4, 3), 0.01)
 VECTOR = np.array([0.1, -0.2, 0.3])
 LATITUDE = 0.7
 MODEL = ERROR_MODELS["averaged"]
-STILL = table_trajectory(Scheme("", dwell=20.0), LATITUDE, interval=0.5)
+STILL = turntable_trajectory(Scheme("", dwell=20.0), LATITUDE, interval=0.5)
 
 
 def calibrated(start):
@@ -46,7 +46,7 @@ def calibrated(start):
         latitude=LATITUDE,
         start=start,
         model=MODEL,
-        prior=PriorDeviations(),
+        prior=PriorStandardDeviations(),
         noise=ImuNoise(),
         update_interval=5.0,
         check=False,
@@ -58,7 +58,9 @@ FOUND = calibrated(STILL.attitude[0])
 
 def static_causes_of(name, attitude):
     given = {"attitude": ONE, "start": ONE, "reference": ONE} | {name: attitude}
-    return static_error_growth.static_causes(NO_ERRORS, NO_ERRORS, latitude=LATITUDE, **given)
+    return static_error_growth.static_error_sources(
+        NO_ERRORS, NO_ERRORS, latitude=LATITUDE, **given
+    )
 
 
 def navigated(name, attitude):
@@ -69,21 +71,21 @@ def navigated(name, attitude):
 
 
 def budget(attitude):
-    known = MODEL.covariance(PriorDeviations(), ONE)
-    return error_budget.calibration_budget([60.0], LATITUDE, MODEL, known, attitude)
+    known = MODEL.covariance(PriorStandardDeviations(), ONE)
+    return error_budget.calibration_error_budget([60.0], LATITUDE, MODEL, known, attitude)
 
 
 def in_positions(turn):
     rate, force = vehicle.static_imu(FEW[:2], LATITUDE)
-    return align_in_positions(rate, force, turn, heading_tolerance=np.inf)
+    return align_multi_position(rate, force, turn, heading_tolerance=np.inf)
 
 
 # By function, for each argument that is a quaternion: the function of it, and what is given to it.
 CASES = {
     cayley.cayley_vector: {"quaternion": (cayley.cayley_vector, GRID)},
     integration.integrate: {"start": (lambda q: integration.integrate(ROWS, start=q), GRID)},
-    finite_precision.integrate_in_word: {
-        "start": (lambda q: finite_precision.integrate_in_word(ROWS, start=q), GRID)
+    finite_precision.integrate_finite_word: {
+        "start": (lambda q: finite_precision.integrate_finite_word(ROWS, start=q), GRID)
     },
     axes.convert_attitude: {
         "attitude": (lambda q: axes.convert_attitude(q, reference=("NED", "ENU")), GRID)
@@ -95,22 +97,22 @@ CASES = {
     body_axes.attitude_of_axes: {
         "attitude": (lambda q: body_axes.attitude_of_axes(q, np.eye(3)), GRID)
     },
-    static_error_growth.static_causes: {
+    static_error_growth.static_error_sources: {
         name: (partial(static_causes_of, name), ONE) for name in ("attitude", "start", "reference")
     },
     static_navigation.navigate_static: {
         name: (partial(navigated, name), ONE) for name in ("attitude", "start", "reference")
     },
-    error_budget.mission_causes: {
-        "attitude": (lambda q: error_budget.mission_causes(MODEL, q, LATITUDE), ONE)
+    error_budget.mission_error_sources: {
+        "attitude": (lambda q: error_budget.mission_error_sources(MODEL, q, LATITUDE), ONE)
     },
-    error_budget.calibration_budget: {
+    error_budget.calibration_error_budget: {
         "attitude": (lambda q: budget(q), ONE),
         "turn": None,  # a float, of which the same line speaks
     },
     error_model.ErrorModel.reduction: {"attitude": (MODEL.reduction, ONE)},
     error_model.ErrorModel.covariance: {
-        "attitude": (lambda q: MODEL.covariance(PriorDeviations(), q), ONE)
+        "attitude": (lambda q: MODEL.covariance(PriorStandardDeviations(), q), ONE)
     },
     filter.calibrate: {"start": (lambda q: calibrated(q).innovations, ONE)},
     conventions.convert_attitude_error: {
@@ -127,12 +129,14 @@ CASES = {
         "error_quaternion": (lambda q: turn_calibration.turn_estimate(q, VECTOR), GRID)
     },
     frames.to_euler_angles: {"attitude": (frames.to_euler_angles, GRID)},
-    two_position_alignment.align_in_positions: {"turn": (lambda q: in_positions(q), FEW[:2])},
+    two_position_alignment.align_multi_position: {"turn": (lambda q: in_positions(q), FEW[:2])},
     turntable.static_trajectory: {
         "attitude": (lambda q: turntable.static_trajectory(q, LATITUDE, 1.0, 3).attitude, ONE)
     },
     vehicle.static_imu: {"attitude": (lambda q: vehicle.static_imu(q, LATITUDE), GRID)},
-    strapdown.at_rest: {"attitude": (lambda q: strapdown.at_rest(LATITUDE, q).attitude, GRID)},
+    strapdown.stationary_state: {
+        "attitude": (lambda q: strapdown.stationary_state(LATITUDE, q).attitude, GRID)
+    },
     quaternion.multiply: {
         "first": (lambda q: quaternion.multiply(q, ONE), GRID),
         "second": (lambda q: quaternion.multiply(ONE, q), GRID),
@@ -153,7 +157,7 @@ CASES = {
 }
 PARAMETER = re.compile(r"^([\w, ]+) : (array_like.*\b4,?\).*)$", re.MULTILINE)
 NO_QUATERNIONS = {
-    (weighing_designs.weighing, "estimates"),  # four numbers of four turns
+    (weighing_designs.weighing_estimate, "estimates"),  # four numbers of four turns
     (conventions.scalar_last, "quaternion"),  # its scalar stands first
 }
 

@@ -15,24 +15,34 @@ import pytest
 
 import driftlab as dl
 from doors import CORES, Door, doors
-from driftlab.calibration import ERROR_MODELS, linearize_along
+from driftlab.calibration import ERROR_MODELS, TurntableTrial, linearize_along
 from driftlab.checks import UnusualWarning
 from driftlab.drift import PAIR_AXES
 from driftlab.gyrocompass import Gains
-from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise, PriorDeviations
+from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments, measure
-from driftlab.motion import Coning, Scheme, TableTurn, table_trajectory
+from driftlab.motion import (
+    NINETEEN_POSITIONS,
+    Coning,
+    Scheme,
+    TurntableRotation,
+    turntable_trajectory,
+)
 from driftlab.recordings import Recording
 from support import helper_modules
 
 # Words that are only shown, and what is looked at where it is used.
 LET_THROUGH = {
     "Layout.time",  # of what columns there are only a table can say
-    *("integrate.history", "step_quaternions.history", "step_vectors.history"),  # not always used
-    *("convert_attitude_error.true_attitude", "attitude_algorithm.argument"),
+    *(
+        "integrate.history",
+        "step_quaternions.history",
+        "step_rotation_vectors.history",
+    ),  # not always used
+    "convert_attitude_error.true_attitude",
     *("Algorithm.name", "Algorithm.order", "FunctionalIteration.name", "Recording.longest_gap"),
 }
-MAY_BE_EMPTY = ("rests", "axes")
+MAY_BE_EMPTY = ("static_intervals", "axes")
 
 
 class Anything:
@@ -149,7 +159,7 @@ def test_every_function_at_the_doors_has_a_call():
                 offered.add(name)
     uncalled = {name for name in offered - found if not name.startswith(("_", "checked_"))}
     assert uncalled <= {"published"}  # which asks the network
-    assert {"Scheme", "ImuNoise", "TableTurn", "DesignTask", "Increments.part"} <= found
+    assert {"Scheme", "ImuNoise", "TurntableRotation", "DesignTask", "Increments.part"} <= found
 
 
 def test_a_slip_that_is_let_through_is_seen():
@@ -164,7 +174,7 @@ def test_a_slip_that_is_let_through_is_seen():
 
 LATITUDE = np.radians(59.9)
 SCHEME = Scheme("+90X -90X", dwell=10.0)
-TRUE = table_trajectory(SCHEME, LATITUDE, 0.5)
+TRUE = turntable_trajectory(SCHEME, LATITUDE, 0.5)
 LINEARIZED = linearize_along(SCHEME, LATITUDE)
 LOG = Recording(TRUE.increments.angle, TRUE.increments.velocity, 0.5, "increments")
 BENT = np.array([[0, 2e-3, 0], [0, 0, 0], [0, 0, 0]])
@@ -172,7 +182,7 @@ CALIBRATE = {
     "latitude": LATITUDE,
     "start": SCHEME.start_attitude,
     "model": ERROR_MODELS["averaged"],
-    "prior": PriorDeviations(),
+    "prior": PriorStandardDeviations(),
     "noise": ImuNoise(reference_velocity=1e-5),
     "update_interval": 10.0,
 }
@@ -187,24 +197,32 @@ def calibrate(**changes):
     [
         (lambda: calibrate(model="average"), "model: expected an ErrorModel or the name of one"),
         (lambda: calibrate(model=None), "model: .* got None"),
-        (lambda: calibrate(prior=None), "prior: expected a PriorDeviations, got None"),
-        (lambda: calibrate(prior=PriorDeviations), "prior: .* got the class PriorDeviations"),
+        (lambda: calibrate(prior=None), "prior: expected a PriorStandardDeviations, got None"),
+        (
+            lambda: calibrate(prior=PriorStandardDeviations),
+            "prior: .* got the class PriorStandardDeviations",
+        ),
         (lambda: calibrate(noise=0.01), r"noise: expected an ImuNoise, got 0\.01"),
         (lambda: calibrate(latitude=59.9), r"latitude: .* in degrees\? np\.radians\(59\.9\)"),
-        (lambda: dl.TableTrial("+90X"), r"scheme: expected a Scheme such as .* got '\+90X'"),
-        (lambda: dl.TableTrial(states=["levers"]), "states: expected some of lever arms,"),
+        (lambda: TurntableTrial("+90X"), r"scheme: expected a Scheme such as .* got '\+90X'"),
+        (lambda: TurntableTrial(states=["levers"]), "states: expected some of lever arms,"),
         (lambda: linearize_along("+90X", 0.7), r"scheme: expected a Scheme .* got '\+90X'"),
-        (lambda: table_trajectory([SCHEME], 0.7, 0.5), "scheme: expected a Scheme .* got a list"),
+        (
+            lambda: turntable_trajectory([SCHEME], 0.7, 0.5),
+            "scheme: expected a Scheme .* got a list",
+        ),
         (
             lambda: dl.calibration.unobservable_subspace(SCHEME),
             r"linearized: expected what linearize_along\(scheme, latitude\) returns, got a Scheme",
         ),
         (
-            lambda: dl.calibration.covariance_analysis(SCHEME, ImuNoise(), PriorDeviations()),
+            lambda: dl.calibration.covariance_analysis(
+                SCHEME, ImuNoise(), PriorStandardDeviations()
+            ),
             r"linearized: expected what linearize_along\(scheme, latitude\) returns, got a Scheme",
         ),
         (
-            lambda: dl.calibration.covariance_analysis(LINEARIZED, None, PriorDeviations()),
+            lambda: dl.calibration.covariance_analysis(LINEARIZED, None, PriorStandardDeviations()),
             "noise: expected an ImuNoise, got None",
         ),
         (
@@ -226,13 +244,16 @@ def calibrate(**changes):
             lambda: measure(TRUE.increments, TYPICAL_ERRORS._replace(gyro_bias=[10, 20, 30])),
             r"gyro_bias: expected rad/s, at most 10 in size, got 30: is it in deg/h\?",
         ),
-        (lambda: dl.drift_per_turn(BENT, [1, 1, 0]), "triad_error: expected shape"),
+        (lambda: dl.drift_per_revolution(BENT, [1, 1, 0]), "error_matrix: expected shape"),
         (
-            lambda: dl.drift_per_turn([1, 1, 0], np.eye(3) + BENT),
-            r"triad_error: .* is it the whole matrix I \+ M\? Subtract the identity",
+            lambda: dl.drift_per_revolution([1, 1, 0], np.eye(3) + BENT),
+            r"error_matrix: .* is it the whole matrix I \+ M\? Subtract the identity",
         ),
         (lambda: Scheme("+90X", rate=10), r"rate: expected rad/s, .* degrees\? np\.radians\(10\)"),
-        (lambda: TableTurn(rate=360), r"rate: expected rad/s, .* degrees\? np\.radians\(360\)"),
+        (
+            lambda: TurntableRotation(rate=360),
+            r"rate: expected rad/s, .* degrees\? np\.radians\(360\)",
+        ),
         (lambda: Coning(10, 5.0), "half_angle: .* in degrees"),
         (
             lambda: dl.gyrocompass.level_loop(Gains(1e-3, 1e-6), gravity=1.0),
@@ -258,7 +279,7 @@ def calibrate(**changes):
             r"samples: .* got \(200, 3\): .* samples\.T",
         ),
         (lambda: dl.gyrocompass.initial_level_frame(0.5), "alignment: .* from align"),
-        (lambda: dl.fit_noise_terms(np.ones(9)), "allan: .* from allan_deviation"),
+        (lambda: dl.noise_terms.fit_noise_terms(np.ones(9)), "allan: .* from allan_deviation"),
         (lambda: Increments(1.0, np.eye(3), np.eye(3)).part(0.5, 2), "begin: expected a whole"),
         (
             lambda: dl.attitude.integrate_riccati(lambda time: np.ones(3), [0, 1], tolerance=1e-20),
@@ -273,12 +294,12 @@ def calibrate(**changes):
             "covariance: expected one with an inverse where variances are not zero",
         ),
         (
-            lambda: dl.calibration.NominalReadings(gyro_scale=np.nan),
-            "gyro_scale: expected finite numbers, got 1 NaN",
+            lambda: dl.calibration.NominalReadings(gyro_scale_factor=np.nan),
+            "gyro_scale_factor: expected finite numbers, got 1 NaN",
         ),
         (
-            lambda: dl.calibration.NominalReadings(accelerometer_scale=[1, 0, 1]),
-            "accelerometer_scale: expected numbers above 0, got 0",
+            lambda: dl.calibration.NominalReadings(accelerometer_scale_factor=[1, 0, 1]),
+            "accelerometer_scale_factor: expected numbers above 0, got 0",
         ),
         (
             lambda: ERROR_MODELS["averaged"].imu_errors(np.full(27, np.nan)),
@@ -292,7 +313,7 @@ def calibrate(**changes):
             lambda: dl.drift.hand_turns(
                 np.zeros((90, 3)), 0.1, np.ma.array([[0, 20], [40, 60]], mask=[[0, 0], [0, 1]])
             ),
-            r"rests: expected whole numbers of shape \(m, 2\), got",
+            r"static_intervals: expected whole numbers of shape \(m, 2\), got",
         ),
         (
             lambda: dl.gyrocompass.marine_type_test(dl.gyrocompass.Gyrocompass(), 0.9, speed=140.0),
@@ -304,11 +325,11 @@ def calibrate(**changes):
             "longest_gap: expected a number of usual intervals, at least 1, got 0.5",
         ),
         (
-            lambda: table_trajectory(SCHEME, LATITUDE, 1e-20),
+            lambda: turntable_trajectory(SCHEME, LATITUDE, 1e-20),
             "interval: expected at most 2147483647 samples of 10 s, got 1e-20 s",
         ),
         (
-            lambda: dl.drift.earth_offset(0.9, [1e-300, 1.0]),
+            lambda: dl.drift.earth_rate_offset(0.9, [1e-300, 1.0]),
             "table_rate: expected rates of at least 1e-50 in size, got 1e-300",
         ),
         (
@@ -329,30 +350,35 @@ def test_named_slip_is_told_what_would_be_right(slip, sentence):
 @pytest.mark.parametrize(
     ("unusual", "words"),
     [
-        (lambda: TableTurn(rate=10), r"^rate: 10 rad/s is 573 degrees a second"),
+        (lambda: TurntableRotation(rate=10), r"^rate: 10 rad/s is 573 degrees a second"),
         (lambda: ImuNoise(angle_random_walk=0.003), r"^angle_random_walk: .*np\.radians\(0\.003\)"),
-        (lambda: PriorDeviations(installation=40), "^installation: .* arc seconds"),
+        (lambda: PriorStandardDeviations(installation=40), "^installation: .* arc seconds"),
         (
-            lambda: dl.gyrocompass.alignment_deviation(0.9, 60.0, 0.003),
+            lambda: dl.gyrocompass.alignment_standard_deviation(0.9, 60.0, 0.003),
             "^angle_random_walk: .* deg/√h",
         ),
         (
             lambda: dl.fit_turns(np.ones(3), PAIR_AXES, table_rates=[10, -10, 10]),
             r"^table_rates: 10 rad/s is 573 degrees a second",
         ),
-        (lambda: dl.triad.decompose(np.eye(3) + BENT), r"^matrix: .* I \+ M\?"),
+        (lambda: dl.triad.split_error_matrix(np.eye(3) + BENT), r"^matrix: .* I \+ M\?"),
         (
             lambda: dl.integrate(np.full((4, 3), 20.0), "rotation-vector-2"),
             "^increments: 20 rad between two samples .* np.radians",
         ),
-        (lambda: dl.drift_per_turn([1, 1, 0], 1e3 * BENT), "^triad_error: an entry is 2, .* mrad"),
         (
-            lambda: measure(TRUE.increments, NO_ERRORS._replace(gyro_error=np.eye(3) + BENT)),
-            r"^gyro_error: .* is it the whole matrix I \+ M\? If so, subtract the identity",
+            lambda: dl.drift_per_revolution([1, 1, 0], 1e3 * BENT),
+            "^error_matrix: an entry is 2, .* mrad",
+        ),
+        (
+            lambda: measure(
+                TRUE.increments, NO_ERRORS._replace(gyro_error_matrix=np.eye(3) + BENT)
+            ),
+            r"^gyro_error_matrix: .* is it the whole matrix I \+ M\? If so, subtract the identity",
         ),
         (
             lambda: dl.triad.measured_rate([1, 0, 0], np.diag([1, 1, 0.75])),
-            r"^triad_error: .* is it the whole matrix I \+ M\? If so",
+            r"^error_matrix: .* is it the whole matrix I \+ M\? If so",
         ),
         (
             lambda: measure(TRUE.increments, NO_ERRORS._replace(gyro_bias=[0, -1.3, 0])),
@@ -366,8 +392,8 @@ def test_named_slip_is_told_what_would_be_right(slip, sentence):
             lambda: dl.gyrocompass.level_loop(Gains(1e-3, 1e-6), gravity=32.2),
             r"^gravity: 32\.2 m/s\^2 is that of the Earth in ft/s\^2",
         ),
-        (lambda: TableTurn(rate=np.radians(6000)), r"^rate: .* is 6000 degrees a second"),
-        (lambda: dl.drift_coefficient([1, 1, 0], np.eye(3)), r"^triad_error: .* I \+ M\?"),
+        (lambda: TurntableRotation(rate=np.radians(6000)), r"^rate: .* is 6000 degrees a second"),
+        (lambda: dl.drift.drift_coefficient([1, 1, 0], np.eye(3)), r"^error_matrix: .* I \+ M\?"),
         (lambda: dl.frames.from_euler_angles(90, 0, 0), r"^heading: 90 rad is 14\.3 turns"),
     ],
 )
@@ -384,9 +410,9 @@ def test_what_some_sensor_or_place_has_is_let_through():
 
 def test_a_name_stands_for_an_object_wherever_there_is_a_table_of_them():
     by_name = linearize_along("19 positions", LATITUDE, "averaged")
-    own = linearize_along(dl.motion.NINETEEN_POSITIONS, LATITUDE, ERROR_MODELS["averaged"])
+    own = linearize_along(NINETEEN_POSITIONS, LATITUDE, ERROR_MODELS["averaged"])
     np.testing.assert_array_equal(by_name.transitions, own.transitions)
-    assert dl.TableTrial("19 positions") == dl.TableTrial(dl.motion.NINETEEN_POSITIONS)
+    assert TurntableTrial("19 positions") == TurntableTrial(NINETEEN_POSITIONS)
     task = dl.calibration.DesignTask(model="averaged")
     assert task.model is ERROR_MODELS["averaged"]
-    assert dl.TableTrial(states="lever arms").states == ("lever arms",)
+    assert TurntableTrial(states="lever arms").states == ("lever arms",)

@@ -15,9 +15,9 @@ from driftlab.core.earth import gravity_north
 from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity
 from driftlab.increments import Increments
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
-from driftlab.motion.turntable import static_trajectory, table_trajectory
+from driftlab.motion.turntable import static_trajectory, turntable_trajectory
 from driftlab.quaternion import multiply, pure, rotate
-from driftlab.strapdown import Navigation, at_rest, checked_interval, last_of, navigate
+from driftlab.strapdown import Navigation, checked_interval, final_state, navigate, stationary_state
 from support import EPS, order_of, random_quaternions, replaced, same_rotation
 
 RADIUS = 6.4e6  # m, about the Earth's
@@ -203,9 +203,9 @@ def test_eastward_motion_is_pushed_up_and_towards_the_equator(latitude):
     carried = SimpleNamespace(
         rate=earth_rate(latitude) + transport, force=np.array([0, 0, float(gravity(latitude))])
     )
-    start = at_rest(latitude, UNTURNED)._replace(velocity=velocity)
+    start = stationary_state(latitude, UNTURNED)._replace(velocity=velocity)
     increments = (np.tile(0.05 * part, (20, 1)) for part in (carried.rate, carried.force))
-    end = last_of(navigate(start, Increments(0.05, *increments)))
+    end = final_state(navigate(start, Increments(0.05, *increments)))
     sine, cosine = np.sin(latitude), np.cos(latitude)
     turning = 2 * EARTH_RATE + speed / (across * cosine)
     expected = speed * turning * np.array([0, -sine, cosine]) * seconds
@@ -219,7 +219,7 @@ def test_eastward_motion_is_pushed_up_and_towards_the_equator(latitude):
 
 def test_unit_at_rest_stays_for_an_hour():
     latitude, interval, hours = 0.9, 0.1, 1.0
-    start = at_rest(latitude, random_quaternions(1, seed=2)[0], 1.5, 200.0)
+    start = stationary_state(latitude, random_quaternions(1, seed=2)[0], 1.5, 200.0)
     record = static_trajectory(start.attitude, latitude, interval, 36_000, 200.0)
     found = navigate(start, record.increments, every=600)
     # Gravity in inertial axes turns by earth_rate squared, and the trapezoid rule adds step^2/12
@@ -235,8 +235,8 @@ def test_unit_at_rest_stays_for_an_hour():
 
 
 def test_unit_on_the_turntable_stays_where_it_is():
-    record = table_trajectory(NINETEEN_POSITIONS, 0.9, 0.02, multiple_of=2)
-    found = navigate(at_rest(0.9, record.attitude[0]), record.increments)
+    record = turntable_trajectory(NINETEEN_POSITIONS, 0.9, 0.02, multiple_of=2)
+    found = navigate(stationary_state(0.9, record.attitude[0]), record.increments)
     assert same_rotation(found.attitude, record.attitude[2::2], 1e-10)
     # Turns of 10 degrees/s, 0.007 rad a step: 160 s of them at angle^3/24 of gravity at most.
     assert np.abs(found.velocity).max() < 160 * 9.81 * 0.007**3 / 24
@@ -248,9 +248,9 @@ def test_errors_on_the_turntable_fall_with_the_fourth_power_of_the_interval():
     scheme = Scheme("+90X -180Y +90Z", dwell=4.0, rate=np.pi / 4)
 
     def error(interval):
-        record = table_trajectory(scheme, 0.8, interval, multiple_of=round(0.5 / interval))
-        start = at_rest(0.8, record.attitude[0])
-        found = last_of(navigate(start, record.increments))
+        record = turntable_trajectory(scheme, 0.8, interval, multiple_of=round(0.5 / interval))
+        start = stationary_state(0.8, record.attitude[0])
+        found = final_state(navigate(start, record.increments))
         return errors(found, start._replace(attitude=record.attitude[-1]))
 
     coarse, fine = np.array(error(0.125)), np.array(error(0.03125))
@@ -261,7 +261,7 @@ def test_altitude_runs_away_as_the_hyperbolic_cosine():
     """A metre too high at first: weight falls by 2 g/a for a metre, which drives it further up."""
     latitude = np.radians(89)  # so that there is next to no Coriolis force
     record = static_trajectory(UNTURNED, latitude, 0.5, 3600)
-    start = at_rest(latitude, UNTURNED, altitude=1.0)
+    start = stationary_state(latitude, UNTURNED, altitude=1.0)
     found = navigate(start, record.increments, every=120)
     growth = np.sqrt(float(gravity(latitude, -0.5) - gravity(latitude, 0.5)))
     assert growth == pytest.approx(np.sqrt(2 * float(gravity(latitude)) / 6378137.0), rel=1e-3)
@@ -278,7 +278,9 @@ def test_tilted_unit_swings_like_a_pendulum_as_long_as_the_radius():
     tilt, latitude, interval = 1e-4, 0.0, 0.5
     true = static_trajectory(UNTURNED, latitude, interval, 12_000)
     tilted = Rotation.from_rotvec([tilt, 0, 0]).as_quat()
-    states = navigate(at_rest(latitude, tilted), true.increments, every=240, hold_altitude=True)
+    states = navigate(
+        stationary_state(latitude, tilted), true.increments, every=240, hold_altitude=True
+    )
     times = 120.0 * np.arange(1, 51)
     along, _ = curvature_radii(latitude)
     schuler = np.sqrt(float(gravity(latitude)) / float(along))
@@ -299,7 +301,7 @@ def test_tilted_unit_follows_the_level_equations(monkeypatch):
     monkeypatch.setattr(core, "CHUNK", chunk)
     record = static_trajectory(UNTURNED, latitude, interval, 12_000)
     tilted = Rotation.from_rotvec([1e-4, -2e-4, 3e-4]).as_quat()
-    start = at_rest(latitude, tilted, altitude=100.0)
+    start = stationary_state(latitude, tilted, altitude=100.0)
     found = navigate(start, record.increments, every=1200, hold_altitude=True)
     still = SimpleNamespace(
         rate=lambda time: record.increments.angle[0] / interval,
@@ -339,10 +341,10 @@ def test_altitude_is_put_back_every_chunk_and_the_level_motion_goes_on(monkeypat
             rate=lambda time, leg=leg: TURN.rate(chunk * leg + time),
             force=lambda time, leg=leg: TURN.force(chunk * leg + time),
         )
-        here = last_of(solution(here, later, np.array([seconds])))
+        here = final_state(solution(here, later, np.array([seconds])))
         rises += abs(float(here.altitude - start.altitude))
         here = here._replace(altitude=start.altitude, velocity=here.velocity * [1, 1, 0])
-    position, velocity, attitude = errors(last_of(found), here)
+    position, velocity, attitude = errors(final_state(found), here)
     # From nothing, if the speed over the ground is kept, to twice W h, if the moment of momentum.
     speed = 2 * EARTH_RATE * np.cos(latitude) * rises
     way = 25 * speed + 0.02**2 / 12 * 14
@@ -354,7 +356,7 @@ def test_altitude_is_put_back_every_chunk_and_the_level_motion_goes_on(monkeypat
 
 
 def test_held_altitude_is_that_of_each_start():
-    start = at_rest([0.3, 0.4], UNTURNED, altitude=[[-50.0], [9000.0], [0.0]])
+    start = stationary_state([0.3, 0.4], UNTURNED, altitude=[[-50.0], [9000.0], [0.0]])
     record = static_trajectory(UNTURNED, 0.35, 0.5, 200)
     found = navigate(start, record.increments, every=100, hold_altitude=True)
     np.testing.assert_array_equal(
@@ -390,7 +392,7 @@ def test_two_calls_in_a_row_are_one():
     angle, push = TURN.increments(0.02, 4000)
     whole = navigate(AIRBORNE, Increments(0.02, angle, push), every=100)
     first = navigate(AIRBORNE, Increments(0.02, angle[:1400], push[:1400]), every=100)
-    second = navigate(last_of(first), Increments(0.02, angle[1400:], push[1400:]), every=100)
+    second = navigate(final_state(first), Increments(0.02, angle[1400:], push[1400:]), every=100)
     same_states(part(whole, np.s_[:14]), whole.__class__(*first))
     # Latitude and longitude carry 1e-11 rad of Bowring's formula at most, 6e-5 m, between calls.
     same_states(part(whole, np.s_[14:]), second, 1e-4)
@@ -463,7 +465,7 @@ def test_longitude_goes_on_at_the_other_side(degrees):
 
 def test_state_at_rest_has_the_shape_of_all_that_it_is_made_of():
     attitude = random_quaternions(4, 1, seed=1)
-    state = at_rest([0.1, 0.2, 0.3], attitude, longitude=2.0, altitude=[[5.0]])
+    state = stationary_state([0.1, 0.2, 0.3], attitude, longitude=2.0, altitude=[[5.0]])
     assert state.latitude.shape == state.longitude.shape == state.altitude.shape == (4, 3)
     np.testing.assert_array_equal(state.latitude[2], [0.1, 0.2, 0.3])
     np.testing.assert_array_equal(state.longitude, np.full((4, 3), 2.0))
@@ -474,14 +476,14 @@ def test_state_at_rest_has_the_shape_of_all_that_it_is_made_of():
 
 
 def test_state_at_rest_is_on_the_ellipsoid_at_longitude_zero_unless_told():
-    state = at_rest(0.3, UNTURNED)
+    state = stationary_state(0.3, UNTURNED)
     assert (state.latitude, state.longitude, state.altitude) == (0.3, 0, 0)
 
 
 def test_last_of_a_row_is_its_last_state():
     record = static_trajectory(UNTURNED, 0.5, 0.5, 40)
-    states = navigate(at_rest([[0.5], [0.6]], UNTURNED), record.increments)
-    for one, row in zip(last_of(states), states, strict=True):
+    states = navigate(stationary_state([[0.5], [0.6]], UNTURNED), record.increments)
+    for one, row in zip(final_state(states), states, strict=True):
         np.testing.assert_array_equal(one, row[:, :, -1])
 
 
@@ -489,7 +491,7 @@ def test_last_of_a_row_is_its_last_state():
 
 
 GOOD = {
-    "start": at_rest(0.5, UNTURNED),
+    "start": stationary_state(0.5, UNTURNED),
     "increments": Increments(0.1, np.zeros((12, 3)), np.zeros((12, 3))),
 }
 
@@ -558,7 +560,7 @@ def test_of_increments_that_gravity_does_not_make_a_warning_says_so(interval, ru
     """At rest, on the Moon and in a turn of 5 g it does; exchanged, or of accelerations, not."""
     turned = np.broadcast_to(interval * earth_rate(0.8), (*runs, 4, 3))
     up = np.broadcast_to(np.array([0.6, 0.0, 0.8]), (*runs, 4, 3))
-    start = at_rest(0.8, UNTURNED)
+    start = stationary_state(0.8, UNTURNED)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for force in (1.201, 9.8, 49.999):
@@ -580,11 +582,11 @@ def test_one_run_of_many_that_gravity_does_not_make_is_warned_of(factor, said):
     with pytest.warns(
         UnusualWarning, match=rf"^increments\.velocity: {said} m/s\^2 on the average"
     ):
-        navigate(at_rest(0.8, UNTURNED), increments)
+        navigate(stationary_state(0.8, UNTURNED), increments)
 
 
 def test_of_many_places_one_past_the_moon_is_refused():
-    start = at_rest(0.8, UNTURNED)._replace(altitude=np.array([0.0, 1e10]))
+    start = stationary_state(0.8, UNTURNED)._replace(altitude=np.array([0.0, 1e10]))
     with pytest.raises(ValueError, match=r"^start\.altitude: expected m, .* got 0 to 1e\+10"):
         navigate(start, GOOD["increments"])
 
@@ -598,33 +600,33 @@ def test_no_time_is_no_interval():
 
 def test_states_that_cannot_be_are_refused():
     with pytest.raises(ValueError, match=r"^latitude: expected at most 89\.9 degrees"):
-        at_rest([0.5, -np.pi / 2], UNTURNED)
+        stationary_state([0.5, -np.pi / 2], UNTURNED)
     with pytest.raises(ValueError, match=r"^attitude: expected shape \(\.\.\., 4\), got shape"):
-        at_rest(0.5, [0, 0, 1])
+        stationary_state(0.5, [0, 0, 1])
     with pytest.raises(ValueError, match=r"^longitude: expected finite numbers"):
-        at_rest(0.5, UNTURNED, np.inf)
+        stationary_state(0.5, UNTURNED, np.inf)
     with pytest.raises(ValueError, match=r"^altitude: expected real numbers"):
-        at_rest(0.5, UNTURNED, altitude="high")
+        stationary_state(0.5, UNTURNED, altitude="high")
     with pytest.raises(
         ValueError, match=r"^latitude, longitude, altitude, attitude: expected leading axes"
     ):
-        at_rest([0.1, 0.2], random_quaternions(3))
+        stationary_state([0.1, 0.2], random_quaternions(3))
 
 
 def test_attitudes_are_brought_to_unit_norm():
-    state = at_rest(0.8, [0, 0, 0, 2])
+    state = stationary_state(0.8, [0, 0, 0, 2])
     np.testing.assert_array_equal(state.attitude, [0, 0, 0, 1])
     record = static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20)
     doubled = state._replace(attitude=2 * state.attitude)
     once, twice = (navigate(start, record.increments) for start in (state, doubled))
     np.testing.assert_allclose(twice.velocity, once.velocity, rtol=0, atol=1e-9)
     with pytest.raises(ValueError, match="attitude: expected nonzero quaternions"):
-        at_rest(0.8, np.zeros(4))
+        stationary_state(0.8, np.zeros(4))
 
 
 @pytest.mark.parametrize("field", ["longitude", "altitude", "velocity", "attitude"])
 def test_states_are_refused_by_the_name_of_the_field(field):
-    good = at_rest(0.8, [0, 0, 0, 1])
+    good = stationary_state(0.8, [0, 0, 0, 1])
     record = static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20)
     bad = good._replace(**{field: np.nan * getattr(good, field)})
     with pytest.raises(ValueError, match=rf"^start\.{field}: expected finite numbers"):
@@ -644,7 +646,7 @@ def test_leading_axes_of_one_kind_of_increments_hold_for_both(runs, alone):
     rng = np.random.default_rng(21)
     rows = Increments(0.5, 0.1 * rng.normal(size=(4, 3)), rng.normal(size=(4, 3)))
     many = getattr(rows, alone) * rng.uniform(0.5, 1.5, (runs, 1, 1))
-    start = at_rest(0.7, [0, 0, 0, 1])
+    start = stationary_state(0.7, [0, 0, 0, 1])
     together = navigate(start, rows._replace(**{alone: many}))
     assert together.velocity.shape == (runs, 2, 3)
     for run in range(runs):
@@ -656,7 +658,10 @@ def test_leading_axes_of_one_kind_of_increments_hold_for_both(runs, alone):
 
 
 def test_speeds_and_heights_that_nothing_has_are_refused():
-    good, record = at_rest(0.8, [0, 0, 0, 1]), static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20)
+    good, record = (
+        stationary_state(0.8, [0, 0, 0, 1]),
+        static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20),
+    )
     with pytest.raises(ValueError, match=r"^start\.altitude: expected m, at most 1e\+09 in size"):
         navigate(good._replace(altitude=np.array(1e10)), record.increments)
     with pytest.raises(ValueError, match=r"^start\.velocity: expected m/s, slower than light, got"):
@@ -669,7 +674,7 @@ def test_speeds_and_heights_that_nothing_has_are_refused():
 def test_the_largest_height_that_is_named_is_one():
     record = static_trajectory([0, 0, 0, 1], 0.8, 0.1, 2)
     found = navigate(
-        at_rest(0.8, [0, 0, 0, 1], altitude=1e9), record.increments, hold_altitude=True
+        stationary_state(0.8, [0, 0, 0, 1], altitude=1e9), record.increments, hold_altitude=True
     )
     assert found.altitude[0] == 1e9
 
@@ -678,7 +683,7 @@ def test_the_largest_height_that_is_named_is_one():
 @pytest.mark.parametrize("hold_altitude", [False, True])
 def test_one_part_of_the_start_alone_may_have_leading_axes(part, hold_altitude):
     record = static_trajectory([0, 0, 0, 1], 0.8, 0.5, 200)  # more than a chunk
-    good = at_rest(0.8, [0, 0, 0, 1])
+    good = stationary_state(0.8, [0, 0, 0, 1])
     some = np.stack([getattr(good, part), getattr(good, part) + 0.01])
     together = navigate(
         good._replace(**{part: some}), record.increments, every=20, hold_altitude=hold_altitude
@@ -694,11 +699,11 @@ def test_one_part_of_the_start_alone_may_have_leading_axes(part, hold_altitude):
 
 def test_states_are_no_windows():
     latitude, attitude = np.array([0.8, 0.9]), np.array([0.0, 0.0, 0.0, 1.0])
-    start = at_rest(latitude, attitude)
+    start = stationary_state(latitude, attitude)
     assert not any(np.shares_memory(part, latitude) for part in start)
     assert not any(np.shares_memory(part, attitude) for part in start)
     start.altitude[0] = 5.0  # each is one's own, and may be written
     assert start.altitude[1] == 0.0
     states = navigate(start, static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20).increments)
-    for end, row in zip(last_of(states), states, strict=True):
+    for end, row in zip(final_state(states), states, strict=True):
         assert not np.shares_memory(end, row)

@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 from driftlab import quaternion, symbolic
 from driftlab.attitude import cayley, riccati
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.attitude.integration import step_quaternions, step_vectors
+from driftlab.attitude.integration import step_quaternions, step_rotation_vectors
 from driftlab.drift import error_kinematics
 from driftlab.symbolic.step_series import Series, algorithm_step_vector
 from driftlab.vectors import cross_matrix
@@ -102,7 +102,7 @@ def test_series_of_an_algorithm_is_what_it_computes(name: str) -> None:
         coefficients[i] * (edges[:, None] ** (i + 1)) / (i + 1) for i in range(len(SERIES))
     )
     increments = np.diff(integral, axis=0)
-    found = step_vectors(
+    found = step_rotation_vectors(
         increments[algorithm.memory :],
         name,
         history=increments[: algorithm.memory] if algorithm.memory else None,

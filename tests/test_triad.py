@@ -14,7 +14,7 @@ from driftlab.body_frames import (
     misalignment_vector,
 )
 from driftlab.drift.systematic_drift import drift_coefficient, principal_drifts
-from driftlab.triad import decompose, non_orthogonality
+from driftlab.triad import non_orthogonality, split_error_matrix
 from driftlab.vectors import cross_matrix
 from support import EPS, directions, matrices, order_of, quaternions, vectors
 
@@ -40,12 +40,12 @@ def in_frame(matrix, frame):
 @given(matrices(1.0))
 def test_parts_add_up_to_the_matrix(matrix):
     # Halves of entries up to 1, added and subtracted.
-    np.testing.assert_allclose(sum(decompose(matrix)), matrix, rtol=0, atol=2 * EPS)
+    np.testing.assert_allclose(sum(split_error_matrix(matrix)), matrix, rtol=0, atol=2 * EPS)
 
 
 @given(matrices(1.0))
 def test_parts_are_diagonal_symmetric_and_skew(matrix):
-    scale, symmetric, skew = decompose(matrix)
+    scale, symmetric, skew = split_error_matrix(matrix)
     np.testing.assert_array_equal(scale, np.diag(np.diag(matrix)))
     np.testing.assert_array_equal(symmetric, symmetric.T)
     np.testing.assert_array_equal(np.diag(symmetric), 0)
@@ -53,9 +53,9 @@ def test_parts_are_diagonal_symmetric_and_skew(matrix):
 
 
 def test_each_of_many_matrices_has_its_own_parts():
-    together = decompose(np.stack([BENT, OTHER]))
+    together = split_error_matrix(np.stack([BENT, OTHER]))
     for k, matrix in enumerate([BENT, OTHER]):
-        for found, expected in zip(together, decompose(matrix), strict=True):
+        for found, expected in zip(together, split_error_matrix(matrix), strict=True):
             np.testing.assert_array_equal(found[k], expected)
 
 
@@ -63,13 +63,13 @@ def test_each_of_many_matrices_has_its_own_parts():
 def test_any_three_such_matrices_are_the_parts_of_their_sum(diagonal, pairs, vector):
     x, y, z = pairs
     whole = (np.diag(diagonal), np.array([[0, x, y], [x, 0, z], [y, z, 0]]), cross_matrix(vector))
-    for found, expected in zip(decompose(sum(whole)), whole, strict=True):
+    for found, expected in zip(split_error_matrix(sum(whole)), whole, strict=True):
         np.testing.assert_allclose(found, expected, rtol=0, atol=4 * EPS)
 
 
 @given(matrices(1.0))
 def test_parts_are_orthogonal_to_each_other(matrix):
-    parts = np.array(decompose(matrix)).reshape(3, 9)
+    parts = np.array(split_error_matrix(matrix)).reshape(3, 9)
     products = parts @ parts.T
     # Sums of nine products of numbers up to 1.
     np.testing.assert_allclose(products, np.diag(np.diag(products)), rtol=0, atol=16 * EPS)
@@ -79,7 +79,7 @@ def test_parts_are_orthogonal_to_each_other(matrix):
 @given(matrices(1.0), vectors())
 def test_misalignment_is_a_cross_product(matrix, rate):
     np.testing.assert_allclose(
-        decompose(matrix).misalignment @ rate,
+        split_error_matrix(matrix).misalignment @ rate,
         np.cross(misalignment_vector(matrix), rate),
         rtol=0,
         atol=64 * EPS,  # three products of numbers up to 1 and 10
@@ -96,7 +96,7 @@ def test_skew_matrix_is_the_cross_product(vector, other):
 @given(matrices(1.0), directions())
 def test_symmetric_parts_are_larins_sigma_and_drift_alone(matrix, n):
     """The bridge to Part I: of the three parts only the misalignment does not drift."""
-    scale, symmetric, skew = decompose(matrix)
+    scale, symmetric, skew = split_error_matrix(matrix)
     np.testing.assert_allclose(scale + symmetric, non_orthogonality(matrix), rtol=0, atol=2 * EPS)
     assert drift_coefficient(n, skew) == pytest.approx(0, abs=16 * EPS)
     assert drift_coefficient(n, scale + symmetric) == pytest.approx(
@@ -112,7 +112,7 @@ def test_subtracting_the_rotation_leaves_what_the_frame_allows(matrix):
     def rest(frame):
         return matrix - cross_matrix(misalignment_vector(matrix, frame=frame))
 
-    np.testing.assert_allclose(decompose(rest("averaged")).misalignment, 0, atol=2 * EPS)
+    np.testing.assert_allclose(split_error_matrix(rest("averaged")).misalignment, 0, atol=2 * EPS)
     np.testing.assert_array_equal(np.triu(rest("upper triangle"), 1), 0)
     np.testing.assert_array_equal(np.tril(rest("lower triangle"), -1), 0)
 
@@ -235,10 +235,10 @@ def test_plane_triad_is_turned_by_the_mean_of_its_two_angles(x, y):
             Rotation.from_matrix(rotation).as_rotvec(), [0, 0, -angle], rtol=0, atol=16 * EPS
         )
     half = (x - y) / 2
-    parts = decompose(in_frame(matrix, "averaged")[0])
+    parts = split_error_matrix(in_frame(matrix, "averaged")[0])
     assert parts.non_orthogonality[0, 1] == pytest.approx(np.sin(half), abs=16 * EPS)
     expected = np.diag([np.cos(half) - 1, np.cos(half) - 1, 0])
-    np.testing.assert_allclose(parts.scale, expected, rtol=0, atol=16 * EPS)
+    np.testing.assert_allclose(parts.scale_factor, expected, rtol=0, atol=16 * EPS)
 
 
 @given(bent)
@@ -316,7 +316,7 @@ def test_unknown_frames_are_refused(function, frame):
 
 @pytest.mark.parametrize("function", [misalignment_vector, body_frame_rotation])
 def test_accelerometers_that_are_missing_are_refused(function):
-    words = "^accelerometer_error: expected the matrix that fixes the axes, got None"
+    words = "^accelerometer_error_matrix: expected the matrix that fixes the axes, got None"
     with pytest.raises(ValueError, match=words):
         function(BENT, frame="accelerometers")
 
@@ -324,11 +324,13 @@ def test_accelerometers_that_are_missing_are_refused(function):
 @pytest.mark.parametrize("function", [misalignment_vector, body_frame_rotation])
 def test_matrices_with_nan_are_refused_by_name(function):
     bad = np.where(IDENTITY == 1, np.nan, BENT)
-    with pytest.raises(ValueError, match=r"^gyro_error: expected finite numbers, got 3 NaN"):
+    with pytest.raises(ValueError, match=r"^gyro_error_matrix: expected finite numbers, got 3 NaN"):
         function(bad)
-    with pytest.raises(ValueError, match=r"^accelerometer_error: expected finite numbers, got 3 "):
+    with pytest.raises(
+        ValueError, match=r"^accelerometer_error_matrix: expected finite numbers, got 3 "
+    ):
         function(BENT, bad, "accelerometers")
-    with pytest.raises(ValueError, match=r"^gyro_error: expected shape \(\.\.\., 3, 3\)"):
+    with pytest.raises(ValueError, match=r"^gyro_error_matrix: expected shape \(\.\.\., 3, 3\)"):
         function(BENT[:2])
 
 
@@ -340,7 +342,7 @@ def test_matrices_with_nan_are_refused_by_name(function):
 )
 def test_triads_that_are_left_handed_or_flat_are_refused(frame, triad):
     of_accelerometers = "accelerometers" in frame
-    name = "accelerometer_error" if of_accelerometers else "gyro_error"
+    name = "accelerometer_error_matrix" if of_accelerometers else "gyro_error_matrix"
     # One bad triad among good ones.
     many = np.stack([BENT, triad - IDENTITY])
     with pytest.raises(

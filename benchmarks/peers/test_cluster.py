@@ -6,7 +6,7 @@ import signal
 import numpy as np
 import pytest
 
-from driftlab.calibration.simulation import TableTrial
+from driftlab.calibration.simulation import TurntableTrial
 from driftlab.monte_carlo import run_batches
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
@@ -16,7 +16,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::R
 
 def test_a_killed_worker_loses_and_doubles_nothing(tmp_path):
     scheme = Scheme(NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=3.0)
-    task = TableTrial(scheme, sample_interval=0.5, update_interval=3.0).run
+    task = TurntableTrial(scheme, sample_interval=0.5, update_interval=3.0).run
     expected = run_batches(task, 60, seed=2, batch_size=3)
     killed, reported = [], []
     with distributed.LocalCluster(
@@ -35,4 +35,6 @@ def test_a_killed_worker_loses_and_doubles_nothing(tmp_path):
     assert len(list(tmp_path.glob("*/*.batch"))) == 20
     for one, other in zip(found, expected, strict=True):
         np.testing.assert_allclose(one.errors, other.errors, rtol=1e-9, atol=1e-15)
-        np.testing.assert_array_equal(one.imu_errors.gyro_error, other.imu_errors.gyro_error)
+        np.testing.assert_array_equal(
+            one.imu_errors.gyro_error_matrix, other.imu_errors.gyro_error_matrix
+        )

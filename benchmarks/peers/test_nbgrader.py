@@ -16,7 +16,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 
 import driftlab
 from driftlab.book import given
-from driftlab.drift import earth_offset
+from driftlab.drift import earth_rate_offset
 
 UV = [sys.executable, "-m", "uv", "tool", "run", "--quiet", "--from", "nbgrader==0.9.5"]
 GRADEBOOK = """\
@@ -56,7 +56,7 @@ MARKED = {  # with the points for it
 def earth_of(student: str) -> float:
     """What is right in 4.6 with the numbers of a student."""
     numbers = given("4.6", student=student)
-    offset = earth_offset(*np.radians([numbers["latitude"], numbers["table_rate"]]))
+    offset = earth_rate_offset(*np.radians([numbers["latitude"], numbers["table_rate"]]))
     return float(np.degrees(offset)) * 3600
 
 

@@ -11,7 +11,7 @@ from driftlab.calibration import (
     kalman,
     linearize_along,
 )
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.motion import NINETEEN_POSITIONS
 
 from . import floor
@@ -22,7 +22,7 @@ def rows() -> Iterator[Row]:
     # As `calibrate` has it: of 27 states the first six move, and of those the last three are seen.
     model = ERROR_MODELS["averaged"]
     way = linearize_along(NINETEEN_POSITIONS, np.radians(37.5), model)
-    start = covariance_analysis(way, ImuNoise(), PriorDeviations())
+    start = covariance_analysis(way, ImuNoise(), PriorStandardDeviations())
     moving, small = np.ascontiguousarray(way.transitions[:, :6]), 1e-15 * np.eye(6)
     seen, seen_noise, innovation = np.eye(3, 27, 3), 1e-4 * np.eye(3), np.full(3, 1e-3)
     given = moving, small, seen, seen_noise, innovation

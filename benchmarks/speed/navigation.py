@@ -8,8 +8,8 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from driftlab.increments import Increments
-from driftlab.motion import NINETEEN_POSITIONS, Scheme, table_trajectory
-from driftlab.strapdown import Navigation, at_rest, navigate
+from driftlab.motion import NINETEEN_POSITIONS, Scheme, turntable_trajectory
+from driftlab.strapdown import Navigation, navigate, stationary_state
 
 from . import floor
 from .measuring import Contender, Row, and_by_numpy, copy_of, in_c
@@ -21,9 +21,9 @@ NED = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1]])
 
 def rows() -> Iterator[Row]:
     scheme = Scheme(NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=181.0)
-    record = table_trajectory(scheme, LATITUDE, INTERVAL, multiple_of=2)
+    record = turntable_trajectory(scheme, LATITUDE, INTERVAL, multiple_of=2)
     angle, velocity = map(np.ascontiguousarray, record.increments[1:])
-    both, start = np.hstack([angle, velocity]), at_rest(LATITUDE, record.attitude[0])
+    both, start = np.hstack([angle, velocity]), stationary_state(LATITUDE, record.attitude[0])
 
     def error(way: Navigation) -> float:
         return float(np.abs(way.velocity[:, :2]).max())

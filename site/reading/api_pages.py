@@ -65,8 +65,8 @@ def _index() -> str:
             "Every public function, class and constant, with shapes, units and errors, those of "
             "the package with an example and its output, and what became of the equation that it "
             "computes. A name stands where you import it: "
-            "``from driftlab.drift import drift_per_turn``. The search box finds names, and words "
-            "of the field; :ref:`genindex` lists them all. What one wants to do with them: "
+            "``from driftlab.drift import drift_per_revolution``. The search box finds names, and "
+            "words of the field; :ref:`genindex` lists them all. What one wants to do with them: "
             ":doc:`/i_want_to`.",
             "",
             *_heading("The first door", "-"),

@@ -22,9 +22,9 @@ Conventions, fixed here once for the whole package:
   columns as they stand, arrays of other libraries (those of a GPU must be fetched first). Arrays of
   NumPy in float64 come out.
 * ``rate`` is the true angular rate in body axes, ``measured_rate`` what the gyros say.
-  A *triad error* ``M`` holds all errors of a gyro triad but its bias: ``measured_rate = (I + M)
-  rate``. A unit has two, ``gyro_error`` and ``accelerometer_error``; *misalignment* is the skew
-  part of such a matrix, the triad turned as a whole.
+  An *error matrix* ``M`` holds all errors of a gyro triad but its bias: ``measured_rate = (I + M)
+  rate``. A unit has two, ``gyro_error_matrix`` and ``accelerometer_error_matrix``; *misalignment*
+  is the skew part of such a matrix, the triad turned as a whole.
 * A bias says its axes where there is a choice: ``gyro_bias_body``, ``gyro_bias_nue`` (North, Up,
   East).
 * Local axes are East, North, Up. In Part IV they are North, Up, East, as in its paper, with body

@@ -27,48 +27,35 @@ from . import (
     vectors as vectors,
 )
 from .allan import allan_deviation as allan_deviation
+from .attitude.drift_on_cones import coning_drift as coning_drift
 from .attitude.integration import integrate as integrate
-from .axes import convert_attitude as convert_attitude, convert_vectors as convert_vectors
 from .book.figures import figure as figure
 from .calibration.filter import calibrate as calibrate
-from .calibration.simulation import TableTrial as TableTrial
-from .drift.recorded_turns import recorded_turn_estimate as recorded_turn_estimate
+from .calibration.observability import unobservable_subspace as unobservable_subspace
+from .drift.characteristic_equation import (
+    asymptotic_roots as asymptotic_roots,
+    characteristic_polynomial as characteristic_polynomial,
+    exact_roots as exact_roots,
+)
+from .drift.error_kinematics import error_quaternion as error_quaternion
 from .drift.systematic_drift import (
-    drift_coefficient as drift_coefficient,
-    drift_per_turn as drift_per_turn,
+    drift_per_revolution as drift_per_revolution,
     principal_drifts as principal_drifts,
 )
-from .drift.turn_calibration import (
-    TurnExperiment as TurnExperiment,
-    turn_estimate as turn_estimate,
-)
+from .drift.turn_calibration import turn_estimate as turn_estimate
 from .drift.weighing_designs import fit_turns as fit_turns
 from .gyrocompass.alignment import align as align, alignment_errors as alignment_errors
-from .higher_order_errors import (
-    NO_HIGHER_ORDER_ERRORS as NO_HIGHER_ORDER_ERRORS,
-    HigherOrderErrors as HigherOrderErrors,
+from .gyrocompass.heading_error import (
+    operating_heading_error as operating_heading_error,
+    speed_error as speed_error,
 )
-from .imu import (
-    NO_ERRORS as NO_ERRORS,
-    TYPICAL_ERRORS as TYPICAL_ERRORS,
-    ImuErrors as ImuErrors,
-    ImuNoise as ImuNoise,
-    PriorDeviations as PriorDeviations,
-)
+from .imu import ImuErrors as ImuErrors, ImuNoise as ImuNoise
 from .increments import (
     Increments as Increments,
     compensate as compensate,
     measure as measure,
 )
-from .motion.scheme import Scheme as Scheme
-from .motion.table_turn import TableTurn as TableTurn
-from .noise_terms import fit_noise_terms as fit_noise_terms
-from .sampled_rates import increments_from_rates as increments_from_rates
-from .strapdown import (
-    at_rest as at_rest,
-    last_of as last_of,
-    navigate as navigate,
-)
-from .triad import measured_rate as measured_rate
+from .strapdown import navigate as navigate, stationary_state as stationary_state
+from .triad import measured_rate as measured_rate, split_error_matrix as split_error_matrix
 
 __version__: str

@@ -33,15 +33,17 @@ _SYMMETRIC = ("averaged", "averaged accelerometers")
 
 
 def misalignment_vector(
-    gyro_error: ArrayLike, accelerometer_error: ArrayLike | None = None, frame: str = "averaged"
+    gyro_error_matrix: ArrayLike,
+    accelerometer_error_matrix: ArrayLike | None = None,
+    frame: str = "averaged",
 ) -> FloatArray:
     r"""Small rotation that brings body components into the chosen body axes, to first order.
 
     Parameters
     ----------
-    gyro_error : array_like, shape (..., 3, 3)
+    gyro_error_matrix : array_like, shape (..., 3, 3)
         Error matrix K of the gyro triad.
-    accelerometer_error : array_like, shape (..., 3, 3), optional
+    accelerometer_error_matrix : array_like, shape (..., 3, 3), optional
         Error matrix of the accelerometer triad; needed only for the axes that it fixes.
     frame : str
         One of `BODY_FRAMES`.
@@ -61,13 +63,13 @@ def misalignment_vector(
 
     Examples
     --------
-    >>> gyro_error = [[0, 0, 0], [4e-3, 0, 0], [0, 0, 0]]  # the y gyro leans towards x
-    >>> misalignment_vector(gyro_error)
+    >>> gyro_error_matrix = [[0, 0, 0], [4e-3, 0, 0], [0, 0, 0]]  # the y gyro leans towards x
+    >>> misalignment_vector(gyro_error_matrix)
     array([0.   , 0.   , 0.002])
-    >>> float(misalignment_vector(gyro_error, frame="lower triangle")[2])
+    >>> float(misalignment_vector(gyro_error_matrix, frame="lower triangle")[2])
     0.004
     """
-    k = _matrix_for(gyro_error, accelerometer_error, frame)
+    k = _matrix_for(gyro_error_matrix, accelerometer_error_matrix, frame)
     upper = np.stack([-k[..., 1, 2], k[..., 0, 2], -k[..., 0, 1]], axis=-1)
     lower = np.stack([k[..., 2, 1], -k[..., 2, 0], k[..., 1, 0]], axis=-1)
     if frame in _SYMMETRIC:
@@ -76,15 +78,17 @@ def misalignment_vector(
 
 
 def body_frame_rotation(
-    gyro_error: ArrayLike, accelerometer_error: ArrayLike | None = None, frame: str = "averaged"
+    gyro_error_matrix: ArrayLike,
+    accelerometer_error_matrix: ArrayLike | None = None,
+    frame: str = "averaged",
 ) -> FloatArray:
     """Matrix from the given body components to those of the chosen axes, exactly.
 
     Parameters
     ----------
-    gyro_error : array_like, shape (..., 3, 3)
+    gyro_error_matrix : array_like, shape (..., 3, 3)
         Error matrix K of the gyro triad.
-    accelerometer_error : array_like, shape (..., 3, 3), optional
+    accelerometer_error_matrix : array_like, shape (..., 3, 3), optional
         Error matrix of the accelerometer triad; needed only for the axes that it fixes.
     frame : str
         One of `BODY_FRAMES`.
@@ -110,8 +114,8 @@ def body_frame_rotation(
     >>> np.allclose(body_frame_rotation(rotation - np.eye(3), frame="lower triangle"), rotation)
     True
     """
-    name = "accelerometer_error" if frame in _ACCELEROMETER_FRAMES else "gyro_error"
-    matrix = _matrix_for(gyro_error, accelerometer_error, frame)
+    name = "accelerometer_error_matrix" if frame in _ACCELEROMETER_FRAMES else "gyro_error_matrix"
+    matrix = _matrix_for(gyro_error_matrix, accelerometer_error_matrix, frame)
     triad = np.eye(3) + matrix
     if not (np.linalg.det(triad) > 1e-12).all():
         raise ValueError(
@@ -157,15 +161,19 @@ def change_body_frame(matrix: ArrayLike, rotation: ArrayLike) -> FloatArray:
 
 
 def _matrix_for(
-    gyro_error: ArrayLike, accelerometer_error: ArrayLike | None, frame: str
+    gyro_error_matrix: ArrayLike, accelerometer_error_matrix: ArrayLike | None, frame: str
 ) -> FloatArray:
     """Return the matrix that fixes the frame."""
     one_of(frame, BODY_FRAMES, "frame")
-    gyro_error = finite_array(gyro_error, "gyro_error", 3, 3)
-    if accelerometer_error is not None:
-        accelerometer_error = finite_array(accelerometer_error, "accelerometer_error", 3, 3)
+    gyro_error_matrix = finite_array(gyro_error_matrix, "gyro_error_matrix", 3, 3)
+    if accelerometer_error_matrix is not None:
+        accelerometer_error_matrix = finite_array(
+            accelerometer_error_matrix, "accelerometer_error_matrix", 3, 3
+        )
     if frame not in _ACCELEROMETER_FRAMES:
-        return gyro_error
-    if accelerometer_error is None:
-        raise ValueError("accelerometer_error: expected the matrix that fixes the axes, got None.")
-    return accelerometer_error
+        return gyro_error_matrix
+    if accelerometer_error_matrix is None:
+        raise ValueError(
+            "accelerometer_error_matrix: expected the matrix that fixes the axes, got None."
+        )
+    return accelerometer_error_matrix

@@ -18,7 +18,14 @@ import numpy as np
 from scipy.constants import degree
 from scipy.optimize import minimize_scalar
 
-from driftlab.calibration._told import FITS, Evidence, Told, evidence, thinned, told_noise
+from driftlab.calibration._filter_inputs import (
+    FITS,
+    Evidence,
+    FilterInputs,
+    assumed_noise_contradictions,
+    evidence,
+    thinned,
+)
 from driftlab.calibration.calibration_history import BEYOND, Calibration
 from driftlab.calibration.filter import LARGE_BIAS, TAKE_THE_MEAN, FilterFailure, calibrate
 from driftlab.checks import FloatArray, shown
@@ -26,7 +33,7 @@ from driftlab.core import quaternion
 from driftlab.earth import gravity
 from driftlab.increments import Increments
 from driftlab.recordings._slips import force_factors, gyro_factors
-from driftlab.recordings.guards import doubts
+from driftlab.recordings.guards import data_problems
 from driftlab.recordings.recording import Recording
 
 _LOOSE = 5 * degree  # how far the start may be off where a slip is looked for in it, rad
@@ -134,35 +141,37 @@ def diagnose(found: Calibration | FilterFailure) -> Diagnosis:
 
     >>> import warnings
     >>> from driftlab.calibration import calibrate
-    >>> from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorDeviations
+    >>> from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorStandardDeviations
     >>> from driftlab.increments import measure
-    >>> from driftlab.motion import Scheme, table_trajectory
-    >>> true = table_trajectory(Scheme("+90Y +90Z", dwell=60.0), latitude=0.7, interval=0.5)
+    >>> from driftlab.motion import Scheme, turntable_trajectory
+    >>> true = turntable_trajectory(Scheme("+90Y +90Z", dwell=60.0), latitude=0.7, interval=0.5)
     >>> log = measure(true.increments, TYPICAL_ERRORS)
     >>> with warnings.catch_warnings():
     ...     warnings.simplefilter("ignore")
     ...     found = calibrate(
     ...         log._replace(angle=log.mean_rate), latitude=0.7, start=true.attitude[0],
-    ...         model="averaged", prior=PriorDeviations(), noise=ImuNoise(),
+    ...         model="averaged", prior=PriorStandardDeviations(), noise=ImuNoise(),
     ...     )
     >>> diagnose(found).slips
     ('gyros: rates taken for increments',)
     """
-    told = getattr(found, "told", None)
-    if not isinstance(told, Told):
+    inputs = getattr(found, "inputs", None)
+    if not isinstance(inputs, FilterInputs):
         raise ValueError(
             "found: expected what calibrate returned or the error it raised, without check=False, "
             f"got {shown(found)}."
         )
-    if (seen := told.impossible()) is not None:
-        one = told.run(seen[0])
+    if (seen := inputs.impossible()) is not None:
+        one = inputs.run(seen[0])
         slips = _likely_slips(_Judge(one))
-        return _explained(seen[1:], [] if slips else told_noise(one)[0], slips, one)
+        return _explained(
+            seen[1:], [] if slips else assumed_noise_contradictions(one)[0], slips, one
+        )
     if not isinstance(found, Calibration):
         return Diagnosis((str(found).rstrip("."),), advice=TAKE_THE_MEAN)
-    run, said = found._contradictions(told)
-    one = told.run(run)
-    noise, right = told_noise(one)
+    run, said = found._contradictions(inputs)
+    one = inputs.run(run)
+    noise, right = assumed_noise_contradictions(one)
     slips = []
     if said:
         judge = _Judge(one._replace(noise=right))
@@ -171,18 +180,20 @@ def diagnose(found: Calibration | FilterFailure) -> Diagnosis:
             slips = _likely_slips(judge)
     elif noise:
         said = ["expected noise as assumed, got another"]
-    more = found._too_large() if told.first and not slips and not noise else []
+    more = found._too_large() if inputs.first and not slips and not noise else []
     if more and not said:
         return Diagnosis(tuple(more))
     return _explained([*said, *more], noise, slips, one)
 
 
-def _explained(said: Sequence[str], noise: list[str], slips: list[str], told: Told) -> Diagnosis:
+def _explained(
+    said: Sequence[str], noise: list[str], slips: list[str], inputs: FilterInputs
+) -> Diagnosis:
     """A diagnosis, with advice if nothing explains what is said."""
     advice = ""
     if said and not (noise or slips):
         advice = "no slip is known that explains it. "
-        if told.prior.gyro_bias > LARGE_BIAS:
+        if inputs.prior.gyro_bias > LARGE_BIAS:
             advice += TAKE_THE_MEAN
         else:
             advice += (
@@ -199,7 +210,7 @@ class _Slip(NamedTuple):
     rank: int
     """Of slips that fit as well, those of lower rank are likelier."""
     name: str
-    told: Told
+    inputs: FilterInputs
     misfit: float
     loose: bool = False
     """Whether the start is a guess, within some degrees."""
@@ -209,9 +220,9 @@ class _Slip(NamedTuple):
 class _Judge:
     """Runs the filter over what else may have been told, and looks at what it finds."""
 
-    told: Told
+    inputs: FilterInputs
 
-    def accepts(self, other: Told, loose: bool = False) -> FloatArray | None:
+    def accepts(self, other: FilterInputs, loose: bool = False) -> FloatArray | None:
         """The start (4,) that is found, if nothing contradicts what is told now."""
         if self.steps is None:
             return None
@@ -220,7 +231,7 @@ class _Judge:
             return None
         return found._linearization_point(rows, other.latitude)[1]
 
-    def latitude(self, other: Told) -> tuple[float, float]:
+    def latitude(self, other: FilterInputs) -> tuple[float, float]:
         """The latitude that fits best, near one, and its deviation, rad: the innovations are linear
         in a small error of it."""
         none, latitude = (other.latitude, np.inf), other.latitude
@@ -242,21 +253,21 @@ class _Judge:
         """Noise of the reference velocity, m/s, and time to which increments are added up, s: the
         coarsest with which what was told is contradicted."""
         for least, longest in _LADDER:
-            each = max(self.told.noise.reference_velocity, least), longest
-            found = self._run(self.told, *each)[1]
-            if found is None or not _right(found, self.told):
+            each = max(self.inputs.noise.reference_velocity, least), longest
+            found = self._run(self.inputs, *each)[1]
+            if found is None or not _right(found, self.inputs):
                 return each
         return None
 
     def _run(
-        self, other: Told, deviation: float, longest: float, loose: bool = False
+        self, other: FilterInputs, deviation: float, longest: float, loose: bool = False
     ) -> tuple[Increments, Calibration | None]:
         """Increments and what the filter finds with them; a start that is a guess takes two
         passes."""
         rows = thinned(other.increments, _TURN, longest)
         # The same moments, whatever the interval is now.
         count = len(other.ends)
-        seconds = float(other.ends[-1] * self.told.increments.interval)
+        seconds = float(other.ends[-1] * self.inputs.increments.interval)
         skip = max(round(max(_COARSE, seconds / _MOST) * count / seconds), 1)
         ends, pair = other.ends[skip - 1 :: skip] * other.increments.interval, 2 * rows.interval
         places = np.round(ends / pair).astype(int)
@@ -274,42 +285,43 @@ class _Judge:
                     found = calibrate(
                         rows, reference, reference_times=places[kept] * pair,
                         latitude=other.latitude, start=other.start, model=other.model,
-                        prior=prior, noise=noise, keep=count, about=found, check=False,
+                        prior=prior, noise=noise, keep=count, linearization_point=found,
+                        check=False,
                     )  # fmt: skip
         except (ValueError, np.linalg.LinAlgError):
             return rows, None
         return rows, found
 
 
-def _right(found: Calibration, told: Told) -> bool:
+def _right(found: Calibration, inputs: FilterInputs) -> bool:
     """Whether nothing speaks against a result."""
-    return bool(np.isfinite(found.innovations).all()) and not found._contradictions(told)[1]
+    return bool(np.isfinite(found.innovations).all()) and not found._contradictions(inputs)[1]
 
 
 def _likely_slips(judge: _Judge) -> list[str]:
-    """Slips without which the record fits, best first, or else what `doubts` has to say."""
-    told = judge.told
-    units = list(_other_units(told))
+    """Slips without which the record fits, best first, or else what `data_problems` has to say."""
+    inputs = judge.inputs
+    units = list(_other_units(inputs))
     names = _named(units, judge)
     if names:
         return names
     tried = [*units, *_others(judge)]
     names = _named(tried, judge)
-    larger = told.model.with_states(*_MORE)
-    if not names and larger is not told.model:
+    larger = inputs.model.with_states(*_MORE)
+    if not names and larger is not inputs.model:
         lacking = f"{_LACKING}: model.with_states{_MORE} has states for them"
-        with_more = _Judge(told._replace(model=larger))
+        with_more = _Judge(inputs._replace(model=larger))
         if with_more.steps is None:
             return [lacking]
-        again = [slip._replace(told=slip.told._replace(model=larger)) for slip in tried]
+        again = [slip._replace(inputs=slip.inputs._replace(model=larger)) for slip in tried]
         names = [f"{name}, and {lacking}" for name in _named(again, with_more, _TRIED_WITH_MORE)]
-        if not names and judge.accepts(with_more.told) is not None:
+        if not names and judge.accepts(with_more.inputs) is not None:
             names = [lacking]
     if names:
         return names
-    interval, angle, velocity = told.increments
+    interval, angle, velocity = inputs.increments
     log = Recording(angle, velocity, interval, "increments")
-    return [doubt.sentence for doubt in doubts(log) if doubt.rule in _RULES]
+    return [doubt.sentence for doubt in data_problems(log) if doubt.rule in _RULES]
 
 
 def _named(slips: list[_Slip], judge: _Judge, most: int = _TRIED) -> list[str]:
@@ -320,13 +332,13 @@ def _named(slips: list[_Slip], judge: _Judge, most: int = _TRIED) -> list[str]:
             break
         if slip.loose and any(other.loose for other in fitting):
             continue  # two guesses of one start
-        start = judge.accepts(slip.told, slip.loose)
+        start = judge.accepts(slip.inputs, slip.loose)
         if start is None:
             continue
         if slip.loose:
-            back = quaternion.multiply(judge.told.start, quaternion.conjugate(start))
+            back = quaternion.multiply(judge.inputs.start, quaternion.conjugate(start))
             turn = quaternion.to_rotation_vector(back)
-            if np.linalg.norm(turn) < BEYOND * judge.told.prior.attitude:
+            if np.linalg.norm(turn) < BEYOND * judge.inputs.prior.attitude:
                 continue
             slip = slip._replace(name=_turned(np.degrees(turn)))
         fitting.append(slip)
@@ -344,17 +356,17 @@ def _turned(turn: FloatArray) -> str:
     return f"start: an attitude wrong by {np.linalg.norm(turn):.3g} degrees"
 
 
-def _other_units(told: Told) -> Iterator[_Slip]:
+def _other_units(inputs: FilterInputs) -> Iterator[_Slip]:
     """Other units, another interval, and the triads exchanged."""
-    for name, increments in _rescaled(told):
-        other = told._replace(increments=increments)
+    for name, increments in _rescaled(inputs):
+        other = inputs._replace(increments=increments)
         yield _Slip(_UNIT, name, other, float(other.misfit(evidence(increments))))
 
 
-def _rescaled(told: Told) -> Iterator[tuple[str, Increments]]:
+def _rescaled(inputs: FilterInputs) -> Iterator[tuple[str, Increments]]:
     """What the increments may have been meant to be."""
-    interval, angle, velocity = told.increments
-    size = float(gravity(told.latitude))
+    interval, angle, velocity = inputs.increments
+    size = float(gravity(inputs.latitude))
     ratio = float(np.median(np.linalg.norm(velocity, axis=1))) / (interval * size)
     forces = {
         name: factor
@@ -368,7 +380,7 @@ def _rescaled(told: Told) -> Iterator[tuple[str, Increments]]:
         if words and "interval" not in gyro and max(a, 1 / a, b, 1 / b) > 1 + _SIZE:
             yield " and ".join(words), Increments(interval, angle / a, velocity / b)
     # Biases push up in one position and down in another.
-    if abs(ratio - 1) > max(BEYOND * told.prior.scale, 1e-4) and ratio > _NO_FORCE:
+    if abs(ratio - 1) > max(BEYOND * inputs.prior.scale_factor, 1e-4) and ratio > _NO_FORCE:
         name = _interval_slip(interval, ratio)
         yield name, Increments(ratio * interval, angle, velocity)
     if ratio < _SIZE or ratio > 1 / _SIZE:
@@ -389,21 +401,21 @@ def _interval_slip(interval: float, ratio: float) -> str:
 
 def _others(judge: _Judge) -> Iterator[_Slip]:
     """Slips of start, place and axes, and what would have been told without each."""
-    told = judge.told
-    shown = evidence(told.increments)
+    inputs = judge.inputs
+    shown = evidence(inputs.increments)
     if shown is None:
         return
-    for name, start in _other_starts(told.start):
-        other = told._replace(start=start)
+    for name, start in _other_starts(inputs.start):
+        other = inputs._replace(start=start)
         yield _Slip(_LIKELY, name, other, float(other.misfit(shown)))
-    for level in (told.start, _levelled(told.start, shown)):
-        other = told._replace(start=_headed(told._replace(start=level), shown))
+    for level in (inputs.start, _levelled(inputs.start, shown)):
+        other = inputs._replace(start=_headed(inputs._replace(start=level), shown))
         yield _Slip(_FITTED, "start: wrong", other, float(other.misfit(shown)), loose=True)
     for rank, name, latitude in _other_latitudes(judge, shown):
         if abs(latitude) < _NEAREST_TO_POLE:
-            other = told._replace(latitude=latitude)
+            other = inputs._replace(latitude=latitude)
             yield _Slip(rank, name, other, float(other.misfit(shown)))
-    yield from _other_axes(told)
+    yield from _other_axes(inputs)
 
 
 def _other_starts(start: FloatArray) -> Iterator[tuple[str, FloatArray]]:
@@ -435,29 +447,29 @@ def _levelled(start: FloatArray, shown: Evidence) -> FloatArray:
     return quaternion.multiply(quaternion.from_rotation_vector(turn), start)
 
 
-def _headed(told: Told, shown: Evidence) -> FloatArray:
+def _headed(inputs: FilterInputs, shown: Evidence) -> FloatArray:
     """The start with the heading that fits best."""
     angles = np.radians(np.arange(-178, 181, 2))[:, np.newaxis]
-    starts = quaternion.multiply(quaternion.from_rotation_vector(angles * _UP), told.start)
-    every = told._replace(start=starts[:, np.newaxis])
+    starts = quaternion.multiply(quaternion.from_rotation_vector(angles * _UP), inputs.start)
+    every = inputs._replace(start=starts[:, np.newaxis])
     return starts[np.argmin(every.misfit(shown))]
 
 
 def _other_latitudes(judge: _Judge, shown: Evidence) -> Iterator[tuple[int, str, float]]:
     """Other latitudes, rad, with rank and name."""
-    told = judge.told
+    inputs = judge.inputs
 
     def size(latitude: float) -> float:
-        return float(told._replace(latitude=latitude).misfit(shown))
+        return float(inputs._replace(latitude=latitude).misfit(shown))
 
     near = min(np.arange(-88, 89) * degree, key=size)
     nearest = float(minimize_scalar(size, bounds=(near - degree, near + degree)).x)
-    yield _LIKELY, "latitude: the other sign", -told.latitude
-    yield _LIKELY, "latitude: degrees turned into radians twice", float(np.degrees(told.latitude))
-    yield _LIKELY, "latitude: degrees taken for radians", float(np.radians(told.latitude))
+    yield _LIKELY, "latitude: the other sign", -inputs.latitude
+    yield _LIKELY, "latitude: degrees turned into radians twice", float(np.degrees(inputs.latitude))
+    yield _LIKELY, "latitude: degrees taken for radians", float(np.radians(inputs.latitude))
     if size(nearest) < FITS:
-        latitude, deviation = judge.latitude(told._replace(latitude=nearest))
-        if abs(latitude - told.latitude) > BEYOND * deviation:
+        latitude, deviation = judge.latitude(inputs._replace(latitude=nearest))
+        if abs(latitude - inputs.latitude) > BEYOND * deviation:
             yield _FITTED, f"latitude: {np.degrees(latitude):.2f} degrees fits better", latitude
 
 
@@ -487,18 +499,18 @@ _SETS = [
 """Names, and matrices for gyros and accelerometers: of both triads, or of one."""
 
 
-def _other_axes(told: Told) -> Iterator[_Slip]:
+def _other_axes(inputs: FilterInputs) -> Iterator[_Slip]:
     """Orders and signs of the columns that fit."""
-    interval, angle, velocity = thinned(told.increments)
+    interval, angle, velocity = thinned(inputs.increments)
     gyros, accelerometers = (np.array([each[k] for each in _SETS]).mT for k in (1, 2))
     seen = evidence(Increments(interval, angle @ gyros, velocity @ accelerometers))
     if seen is None:
         return
-    sizes = told.misfit(seen)
-    interval, angle, velocity = told.increments
+    sizes = inputs.misfit(seen)
+    interval, angle, velocity = inputs.increments
     for (name, turn, push), size in zip(_SETS, sizes, strict=True):
         if size <= FITS:
             likely = "forward" in name or "alone" in name
             rows = Increments(interval, angle @ turn.T, velocity @ push.T)
             rank = _LIKELY if likely else _POSSIBLE
-            yield _Slip(rank, name, told._replace(increments=rows), float(size))
+            yield _Slip(rank, name, inputs._replace(increments=rows), float(size))

@@ -49,7 +49,7 @@ class HigherOrderErrors(NamedTuple):
         K2 of each accelerometer, s^2/m.
     gyro_g_sensitivity : ndarray, shape (..., 3, 3)
         G: row i is the gyro's, (rad/s)/(m/s^2).
-    gyro_scale_asymmetry, accelerometer_scale_asymmetry : ndarray, shape (..., 3)
+    gyro_scale_factor_asymmetry, accelerometer_scale_factor_asymmetry : ndarray, shape (..., 3)
         a of each sensor: half of how much its scale factor for positive input exceeds that for
         negative input, without unit.
 
@@ -71,8 +71,8 @@ class HigherOrderErrors(NamedTuple):
     time_skew: FloatArray
     accelerometer_quadratic: FloatArray
     gyro_g_sensitivity: FloatArray
-    gyro_scale_asymmetry: FloatArray = _NONE
-    accelerometer_scale_asymmetry: FloatArray = _NONE
+    gyro_scale_factor_asymmetry: FloatArray = _NONE
+    accelerometer_scale_factor_asymmetry: FloatArray = _NONE
 
 
 class _Term(NamedTuple):
@@ -88,7 +88,7 @@ class _Term(NamedTuple):
     shape: tuple[int, ...]  # of that field: (3, 3), (3,) or ()
     unit: str
     states: str  # beginning of their names; the first word is the sensor
-    prior: str  # field of `driftlab.imu.PriorDeviations`
+    prior: str  # field of `driftlab.imu.PriorStandardDeviations`
     effect: Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]
 
     @property
@@ -150,19 +150,19 @@ TERMS = MappingProxyType({
         effect=lambda times, angle, velocity, change: velocity[..., np.newaxis, :].repeat(3, -2),
     ),
     "gyro scale-factor asymmetry": _Term(
-        field="gyro_scale_asymmetry",
+        field="gyro_scale_factor_asymmetry",
         shape=(3,),
         unit="1",
         states="gyro scale-factor asymmetry",
-        prior="scale_asymmetry",
+        prior="scale_factor_asymmetry",
         effect=lambda times, angle, velocity, change: np.abs(angle),
     ),
     "accelerometer scale-factor asymmetry": _Term(
-        field="accelerometer_scale_asymmetry",
+        field="accelerometer_scale_factor_asymmetry",
         shape=(3,),
         unit="1",
         states="accelerometer scale-factor asymmetry",
-        prior="scale_asymmetry",
+        prior="scale_factor_asymmetry",
         effect=lambda times, angle, velocity, change: np.abs(velocity),
     ),
 })  # fmt: skip
@@ -216,7 +216,7 @@ def _rate_changes(interval: float, angle: FloatArray) -> FloatArray:
     return np.diff(edges, axis=-2)
 
 
-def felt_besides(
+def higher_order_effects(
     interval: float,
     angle: FloatArray,
     velocity: FloatArray,
@@ -246,7 +246,7 @@ def felt_besides(
     Accelerometers a millisecond late, on a unit that turns at 0.1 rad/s about x:
 
     >>> late = NO_HIGHER_ORDER_ERRORS._replace(time_skew=np.array(1e-3))
-    >>> _, more = felt_besides(1.0, np.array([[0.1, 0, 0]]), np.array([[0, 0, 10.0]]), late)
+    >>> _, more = higher_order_effects(1.0, np.array([[0.1, 0, 0]]), np.array([[0, 0, 10.0]]), late)
     >>> more
     array([[ 0.   , -0.001,  0.   ]])
     """

@@ -20,9 +20,9 @@ from .checks import (
     FloatArray,
     checked_generator,
     checked_instance,
-    error_matrix,
     finite_arrays,
     keep,
+    plausible_error_matrix,
     usual_deviation,
     whole_number,
     within,
@@ -36,11 +36,11 @@ class ImuErrors(NamedTuple):
     ----------
     gyro_bias : ndarray, shape (..., 3)
         rad/s.
-    gyro_error : ndarray, shape (..., 3, 3)
+    gyro_error_matrix : ndarray, shape (..., 3, 3)
         Error matrix K of the gyro triad, without unit.
     accelerometer_bias : ndarray, shape (..., 3)
         m/s^2.
-    accelerometer_error : ndarray, shape (..., 3, 3)
+    accelerometer_error_matrix : ndarray, shape (..., 3, 3)
         Error matrix L of the accelerometer triad, without unit.
 
     Examples
@@ -53,9 +53,9 @@ class ImuErrors(NamedTuple):
     """
 
     gyro_bias: FloatArray
-    gyro_error: FloatArray
+    gyro_error_matrix: FloatArray
     accelerometer_bias: FloatArray
-    accelerometer_error: FloatArray
+    accelerometer_error_matrix: FloatArray
 
 
 NO_ERRORS = ImuErrors(np.zeros(3), np.zeros((3, 3)), np.zeros(3), np.zeros((3, 3)))
@@ -106,7 +106,7 @@ class ImuNoise:
 
 
 @dataclass(frozen=True)
-class PriorDeviations:
+class PriorStandardDeviations:
     """Standard deviations of the unknowns before a calibration; zero for what is known.
 
     The velocity is not among the unknowns, because the table stands still.
@@ -119,7 +119,7 @@ class PriorDeviations:
         rad/s, each gyro.
     accelerometer_bias : float
         m/s^2, each accelerometer.
-    scale : float
+    scale_factor : float
         Diagonal entries of both error matrices, without unit.
     installation : float
         Off-diagonal entries of both error matrices, rad, independent of each other.
@@ -133,45 +133,45 @@ class PriorDeviations:
     gyro_g_sensitivity : float
         (rad/s)/(m/s^2), each entry: a tenth of a degree an hour per g, much for an optical gyro and
         little for one that holds a mass.
-    scale_asymmetry : float
+    scale_factor_asymmetry : float
         Scale-factor asymmetry of each gyro and accelerometer, without unit: ten ppm, as good
         optical gyros and servo accelerometers have it.
 
     Examples
     --------
-    >>> print(f"{PriorDeviations().attitude:.3e}")  # one arc minute
+    >>> print(f"{PriorStandardDeviations().attitude:.3e}")  # one arc minute
     2.909e-04
     """
 
     attitude: float = 1 * arcminute
     gyro_bias: float = 0.3 * degree / hour
     accelerometer_bias: float = 300 * micro * g
-    scale: float = 100 * micro
+    scale_factor: float = 100 * micro
     installation: float = 40 * arcsecond
     lever_arm: float = 0.03
     time_skew: float = 1e-3
     accelerometer_quadratic: float = 10 * micro / g
     gyro_g_sensitivity: float = 0.1 * degree / hour / g
-    scale_asymmetry: float = 10 * micro
+    scale_factor_asymmetry: float = 10 * micro
 
     def __post_init__(self) -> None:
         _check_sizes(self)
 
 
-def _check_sizes(sizes: ImuNoise | PriorDeviations) -> None:
+def _check_sizes(sizes: ImuNoise | PriorStandardDeviations) -> None:
     for field in fields(sizes):
         size = usual_deviation(getattr(sizes, field.name), field.name, stacklevel=5)
         keep(sizes, **{field.name: size})
 
 
 def random_imu_errors(
-    prior: PriorDeviations, rng: np.random.Generator | int, *shape: int
+    prior: PriorStandardDeviations, rng: np.random.Generator | int, *shape: int
 ) -> ImuErrors:
     """Draw units whose errors are normally distributed and independent of each other.
 
     Parameters
     ----------
-    prior : PriorDeviations
+    prior : PriorStandardDeviations
         Standard deviations of the errors; its `attitude` is not used.
     rng : numpy.random.Generator or int
         Source of the random numbers.
@@ -185,14 +185,15 @@ def random_imu_errors(
 
     Examples
     --------
-    >>> units = random_imu_errors(PriorDeviations(gyro_bias=0.0), np.random.default_rng(1), 5)
-    >>> units.gyro_error.shape
+    >>> prior = PriorStandardDeviations(gyro_bias=0.0)
+    >>> units = random_imu_errors(prior, np.random.default_rng(1), 5)
+    >>> units.gyro_error_matrix.shape
     (5, 3, 3)
     """
-    checked_instance(prior, PriorDeviations, "prior")
+    checked_instance(prior, PriorStandardDeviations, "prior")
     draw = checked_generator(rng).standard_normal
     shape = tuple(whole_number(length, "shape") for length in shape)
-    sizes = np.where(np.eye(3, dtype=bool), prior.scale, prior.installation)
+    sizes = np.where(np.eye(3, dtype=bool), prior.scale_factor, prior.installation)
     return ImuErrors(
         prior.gyro_bias * draw((*shape, 3)),
         sizes * draw((*shape, 3, 3)),
@@ -227,8 +228,8 @@ def checked_usual_imu_errors(imu_errors: ImuErrors) -> ImuErrors:
     within(errors.gyro_bias, "gyro_bias", most, "rad/s", "is it in deg/h?", usual)
     most, usual = LARGEST_ACCELEROMETER_BIAS, USUAL_ACCELEROMETER_BIAS
     within(errors.accelerometer_bias, "accelerometer_bias", most, "m/s^2", "is it in mg?", usual)
-    for name in ("gyro_error", "accelerometer_error"):
-        error_matrix(getattr(errors, name), name, LARGEST_SCALE)
+    for name in ("gyro_error_matrix", "accelerometer_error_matrix"):
+        plausible_error_matrix(getattr(errors, name), name, LARGEST_SCALE)
     return errors
 
 

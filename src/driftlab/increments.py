@@ -21,7 +21,7 @@ from .checks import (
 from .higher_order_errors import (
     HigherOrderErrors,
     checked_higher_order_errors,
-    felt_besides,
+    higher_order_effects,
 )
 from .imu import ImuErrors, ImuNoise, checked_usual_imu_errors
 
@@ -122,7 +122,7 @@ def measure(
 
     See Also
     --------
-    driftlab.motion.table_trajectory : True increments on a table.
+    driftlab.motion.turntable_trajectory : True increments on a table.
 
     Examples
     --------
@@ -140,12 +140,19 @@ def measure(
         checked_instance(noise, ImuNoise, "noise")
     source = None if rng is None else checked_generator(rng)
     if higher_order is not None:
-        more = felt_besides(seconds, angle, velocity, checked_higher_order_errors(higher_order))
+        more = higher_order_effects(
+            seconds, angle, velocity, checked_higher_order_errors(higher_order)
+        )
         angle, velocity = angle + more[0], velocity + more[1]
     found = []
     for true, bias, error, walk in (
-        (angle, errors.gyro_bias, errors.gyro_error, "angle_random_walk"),
-        (velocity, errors.accelerometer_bias, errors.accelerometer_error, "velocity_random_walk"),
+        (angle, errors.gyro_bias, errors.gyro_error_matrix, "angle_random_walk"),
+        (
+            velocity,
+            errors.accelerometer_bias,
+            errors.accelerometer_error_matrix,
+            "velocity_random_walk",
+        ),
     ):
         measured = true @ np.swapaxes(np.eye(3) + error, -1, -2)
         measured = measured + (seconds * bias)[..., np.newaxis, :]
@@ -195,7 +202,7 @@ def compensate(
     array([[0. , 0. , 9.8]])
     """
     errors = checked_usual_imu_errors(imu_errors)
-    for name in ("gyro_error", "accelerometer_error"):
+    for name in ("gyro_error_matrix", "accelerometer_error_matrix"):
         if (np.linalg.cond(np.eye(3) + getattr(errors, name)) > 1e12).any():
             raise ValueError(f"{name}: expected a triad I + K that spans space, got a flat one.")
     if higher_order is not None:
@@ -209,16 +216,16 @@ def _without_errors(
     higher_order: HigherOrderErrors | None = None,
     rate_change: FloatArray | None = None,
 ) -> Increments:
-    """Take known errors out of increments like `compensate`; `rate_change` as of `felt_besides`."""
+    """Take known errors out as `compensate` does; `rate_change` as of `higher_order_effects`."""
     seconds, angle, velocity = increments
-    angle = _without(angle, seconds * imu_errors.gyro_bias, imu_errors.gyro_error)
+    angle = _without(angle, seconds * imu_errors.gyro_bias, imu_errors.gyro_error_matrix)
     velocity = _without(
-        velocity, seconds * imu_errors.accelerometer_bias, imu_errors.accelerometer_error
+        velocity, seconds * imu_errors.accelerometer_bias, imu_errors.accelerometer_error_matrix
     )
     if higher_order is not None:
         plain = angle, velocity
         for _ in range(2):  # the first time from what is not yet true; then third order is left
-            more = felt_besides(seconds, angle, velocity, higher_order, rate_change)
+            more = higher_order_effects(seconds, angle, velocity, higher_order, rate_change)
             angle, velocity = plain[0] - more[0], plain[1] - more[1]
     return Increments(seconds, angle, velocity)
 

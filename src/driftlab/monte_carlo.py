@@ -240,15 +240,18 @@ def _write(file: Path, result: Any) -> None:
     os.replace(part.name, file)
 
 
-def mean_square_bounds(freedom: int, runs: int, confidence: float = 0.95) -> tuple[float, float]:
+def mean_square_bounds(
+    degrees_of_freedom: int, runs: int, confidence: float = 0.95
+) -> tuple[float, float]:
     """Confidence bounds of the mean of squared normalised errors (NEES, NIS) over many runs.
 
     If the errors are as large as their covariance states, the sum of their squares over all runs
-    has a chi-square distribution with ``freedom * runs`` degrees of freedom. Both tails are equal.
+    has a chi-square distribution with ``degrees_of_freedom * runs`` degrees of freedom. Both tails
+    are equal.
 
     Parameters
     ----------
-    freedom : int
+    degrees_of_freedom : int
         Number of components of each error.
     runs : int
         Number of independent runs over which the mean is taken.
@@ -272,5 +275,10 @@ def mean_square_bounds(freedom: int, runs: int, confidence: float = 0.95) -> tup
     """
     inside, many = probability(confidence, "confidence"), whole_number(runs, "runs")
     tails = np.array([1 - inside, 1 + inside]) / 2
-    low, high = chi_squared_quantile(tails, float(whole_number(freedom, "freedom")) * many) / many
+    low, high = (
+        chi_squared_quantile(
+            tails, float(whole_number(degrees_of_freedom, "degrees_of_freedom")) * many
+        )
+        / many
+    )
     return float(low), float(high)

@@ -133,7 +133,7 @@ class NoiseFit:
     ----------
     terms : NoiseTerms
         What the record shows; zero for a term that it does not show.
-    deviations : dict of str to float
+    standard_deviations : dict of str to float
         Standard deviations of the terms that it shows.
     upper_bounds : dict of str to float
         For each term that was sought and is not seen: with 95 % probability it is smaller.
@@ -146,7 +146,7 @@ class NoiseFit:
     """
 
     terms: NoiseTerms
-    deviations: dict[str, float]
+    standard_deviations: dict[str, float]
     upper_bounds: dict[str, float]
     covariance: FloatArray
     misfit: float

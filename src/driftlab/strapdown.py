@@ -31,11 +31,11 @@ from .checks import (
     whole_number,
 )
 from .core import loops
-from .core.strapdown import Navigation, last_of
+from .core.strapdown import Navigation, final_state
 from .earth import checked_latitude
 from .increments import Increments, checked_increments
 
-__all__ = ["Navigation", "at_rest", "checked_interval", "last_of", "navigate"]
+__all__ = ["Navigation", "checked_interval", "final_state", "navigate", "stationary_state"]
 
 ALGORITHM = CONING_ALGORITHMS["two-step-4"].steps
 """The attitude algorithm of the navigation; its step is a pair of increments."""
@@ -43,7 +43,7 @@ _HIGHEST = 1e9  # m: past the Moon
 _LONGEST = 20.0  # s: interval for which the fixed point still converges quickly
 
 
-def at_rest(
+def stationary_state(
     latitude: ArrayLike, attitude: ArrayLike, longitude: ArrayLike = 0.0, altitude: ArrayLike = 0.0
 ) -> Navigation:
     """Navigation state of a unit at rest on the Earth.
@@ -75,7 +75,7 @@ def at_rest(
 
     Examples
     --------
-    >>> state = at_rest(np.radians([30.0, 45.0]), [0, 0, 0, 2])
+    >>> state = stationary_state(np.radians([30.0, 45.0]), [0, 0, 0, 2])
     >>> state.attitude
     array([[0., 0., 0., 1.],
            [0., 0., 0., 1.]])
@@ -120,7 +120,7 @@ def navigate(
     Returns
     -------
     Navigation
-        States (..., n // every), one after each `every` increments; `last_of` takes the last.
+        States (..., n // every), one after each `every` increments; `final_state` takes the last.
 
     Raises
     ------
@@ -158,7 +158,7 @@ def navigate(
     >>> turned = np.tile(interval * earth_rate(latitude), (120, 1))
     >>> pushed = np.tile([0.0, 0.0, interval * float(gravity(latitude))], (120, 1))
     >>> still = Increments(interval, turned, pushed)
-    >>> end = last_of(navigate(at_rest(latitude, [0, 0, 0, 1]), still))
+    >>> end = final_state(navigate(stationary_state(latitude, [0, 0, 0, 1]), still))
     >>> bool(np.abs(end.velocity).max() < 1e-5)
     True
     """

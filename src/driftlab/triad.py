@@ -6,8 +6,8 @@ skew one, the *misalignment*: a small rotation of the triad as a whole.
 
 Data sheets say cross-coupling (or cross-axis sensitivity) for an entry off the diagonal.
 
-A function of one triad calls the whole matrix `triad_error`, M in Part I; where there are two
-triads they are `gyro_error` and `accelerometer_error`, K and L from Part III on.
+A function of one triad calls the whole matrix `error_matrix`, M in Part I; where there are two
+triads they are `gyro_error_matrix` and `accelerometer_error_matrix`, K and L from Part III on.
 """
 
 from __future__ import annotations
@@ -17,7 +17,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, error_matrix, finite_array, finite_arrays, linear_error_matrix
+from .checks import (
+    FloatArray,
+    finite_array,
+    finite_arrays,
+    linear_error_matrix,
+    plausible_error_matrix,
+)
 from .core.vectors import symmetric_part, transform
 
 
@@ -26,7 +32,7 @@ class TriadErrors(NamedTuple):
 
     Attributes
     ----------
-    scale : ndarray, shape (..., 3, 3)
+    scale_factor : ndarray, shape (..., 3, 3)
         Diagonal part: scale-factor errors, without unit.
     non_orthogonality : ndarray, shape (..., 3, 3)
         Symmetric part with zero diagonal, rad.
@@ -34,12 +40,12 @@ class TriadErrors(NamedTuple):
         Skew part, rad.
     """
 
-    scale: FloatArray
+    scale_factor: FloatArray
     non_orthogonality: FloatArray
     misalignment: FloatArray
 
 
-def decompose(matrix: ArrayLike) -> TriadErrors:
+def split_error_matrix(matrix: ArrayLike) -> TriadErrors:
     """Decompose an error matrix into scale factors, non-orthogonality and misalignment.
 
     Parameters
@@ -63,7 +69,7 @@ def decompose(matrix: ArrayLike) -> TriadErrors:
 
     Examples
     --------
-    >>> parts = decompose([[1, 2, 0], [4, 5, 0], [0, 0, 9]])
+    >>> parts = split_error_matrix([[1, 2, 0], [4, 5, 0], [0, 0, 9]])
     >>> parts.misalignment
     array([[ 0., -1.,  0.],
            [ 1.,  0.,  0.],
@@ -77,12 +83,12 @@ def decompose(matrix: ArrayLike) -> TriadErrors:
     )
 
 
-def triad_matrix(triad_error: ArrayLike) -> FloatArray:
+def triad_matrix(error_matrix: ArrayLike) -> FloatArray:
     """Matrix A = I + M of a triad, its rows being the sensitive axes; Larin (1.5), (2.4).
 
     Parameters
     ----------
-    triad_error : array_like, shape (..., 3, 3)
+    error_matrix : array_like, shape (..., 3, 3)
         Matrix M of all errors of the triad, without unit.
 
     Returns
@@ -103,31 +109,31 @@ def triad_matrix(triad_error: ArrayLike) -> FloatArray:
            [0.  , 0.  , 1.  ]])
     """
     return checked_triad(
-        error_matrix(finite_array(triad_error, "triad_error", 3, 3), "triad_error")
+        plausible_error_matrix(finite_array(error_matrix, "error_matrix", 3, 3), "error_matrix")
     )
 
 
-def checked_triad(triad_error: FloatArray) -> FloatArray:
+def checked_triad(error_matrix: FloatArray) -> FloatArray:
     """Return I + M, (..., 3, 3), refusing sensitive axes that do not span space."""
-    triad: FloatArray = np.eye(3) + triad_error
+    triad: FloatArray = np.eye(3) + error_matrix
     # Errors whose squares add up to less than 1/4 leave singular values above 1/2.
-    large = np.einsum("...ij,...ij->...", triad_error, triad_error) > 0.25
+    large = np.einsum("...ij,...ij->...", error_matrix, error_matrix) > 0.25
     if (np.linalg.cond(triad[large]) > 1e12).any():
         raise ValueError(
-            "triad_error: expected three sensitive axes that span space, "
+            "error_matrix: expected three sensitive axes that span space, "
             "got a singular triad matrix I + M."
         )
     return triad
 
 
-def measured_rate(rate: ArrayLike, triad_error: ArrayLike) -> FloatArray:
+def measured_rate(rate: ArrayLike, error_matrix: ArrayLike) -> FloatArray:
     """Rate that a gyro triad measures, without bias and noise; Larin (1.5).
 
     Parameters
     ----------
     rate : array_like, shape (..., 3)
         True angular rate in body axes, rad/s.
-    triad_error : array_like, shape (..., 3, 3)
+    error_matrix : array_like, shape (..., 3, 3)
         Matrix M of all errors of the triad, without unit.
 
     Returns
@@ -137,8 +143,8 @@ def measured_rate(rate: ArrayLike, triad_error: ArrayLike) -> FloatArray:
 
     See Also
     --------
-    driftlab.drift.drift_per_turn : What becomes of it.
-    decompose : The parts of the matrix.
+    driftlab.drift.drift_per_revolution : What becomes of it.
+    split_error_matrix : The parts of the matrix.
 
     Examples
     --------
@@ -147,16 +153,16 @@ def measured_rate(rate: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     >>> measured_rate([0, 2, 0], [[0, 0.01, 0], [0, 0, 0], [0, 0, 0]])
     array([0.02, 2.  , 0.  ])
     """
-    rate, triad_error = finite_arrays(rate=(rate, 3), triad_error=(triad_error, 3, 3))
-    return transform(checked_triad(error_matrix(triad_error, "triad_error")), rate)
+    rate, error_matrix = finite_arrays(rate=(rate, 3), error_matrix=(error_matrix, 3, 3))
+    return transform(checked_triad(plausible_error_matrix(error_matrix, "error_matrix")), rate)
 
 
-def non_orthogonality(triad_error: ArrayLike) -> FloatArray:
+def non_orthogonality(error_matrix: ArrayLike) -> FloatArray:
     """Symmetric part of a triad error, which alone makes drift to first order; Larin (2.5).
 
     Parameters
     ----------
-    triad_error : array_like, shape (..., 3, 3)
+    error_matrix : array_like, shape (..., 3, 3)
         Matrix M of all errors of the triad, without unit.
 
     Returns
@@ -171,7 +177,7 @@ def non_orthogonality(triad_error: ArrayLike) -> FloatArray:
            [0.01, 0.  , 0.  ],
            [0.  , 0.  , 0.  ]])
     """
-    error = linear_error_matrix(finite_array(triad_error, "triad_error", 3, 3), "triad_error")
+    error = linear_error_matrix(finite_array(error_matrix, "error_matrix", 3, 3), "error_matrix")
     return symmetric_part(error)
 
 

@@ -9,8 +9,8 @@ from hypothesis import given, strategies as st
 
 from driftlab.attitude.cayley import rotation_quaternion
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.attitude.finite_precision import UPDATES, integrate_in_word, step_in_word
-from driftlab.attitude.integration import integrate, step_vectors
+from driftlab.attitude.finite_precision import UPDATES, integrate_finite_word, step_finite_word
+from driftlab.attitude.integration import integrate, step_rotation_vectors
 from driftlab.checks import unit_quaternions
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 from support import EPS, random_quaternions, vectors
@@ -39,7 +39,7 @@ def exact_complement(vector, rotation_vector):
 @given(vector=vectors(3))
 def test_step_in_a_long_word_is_the_usual_quaternion(rotation_vector, vector):
     method = from_rotation_vector if rotation_vector else rotation_quaternion
-    step = step_in_word(vector, rotation_vector=rotation_vector)
+    step = step_finite_word(vector, rotation_vector=rotation_vector)
     # A few roundings of numbers up to 1, and angles up to 2.6 rad, good to some eps of themselves.
     np.testing.assert_allclose(step[:4], method(vector), rtol=0, atol=16 * EPS)
     np.testing.assert_allclose(step[4], 1 - step[3], rtol=0, atol=16 * EPS)
@@ -50,7 +50,7 @@ def test_step_in_a_long_word_is_the_usual_quaternion(rotation_vector, vector):
 @pytest.mark.parametrize("word", ["float32", "float64"])
 def test_complement_keeps_its_digits(rotation_vector, size, word):
     vector = (size * np.array([0.6, -0.3, 0.7])).astype(word)
-    step = step_in_word(vector, rotation_vector=rotation_vector)
+    step = step_finite_word(vector, rotation_vector=rotation_vector)
     assert step.dtype == word
     # Two squares, sums and a division; each of them is good to half an eps of the word.
     expected = exact_complement(vector, rotation_vector)
@@ -63,14 +63,14 @@ def test_scalar_part_of_a_short_word_loses_what_the_complement_keeps(name):
     rotation_vector = name == "rotation-vector-2"
     gamma = 1e-4 * np.array([2, -1, 2]) / 3
     vector = (gamma if rotation_vector else -gamma / 4).astype(np.float32)
-    step = step_in_word(vector, rotation_vector=rotation_vector)
+    step = step_finite_word(vector, rotation_vector=rotation_vector)
     assert 1 - step[3] == 0
     np.testing.assert_allclose(step[4], 1e-8 / 8, rtol=8 * EPS32)
 
 
 @both_kinds
 def test_no_rotation_is_the_identity(rotation_vector):
-    step = step_in_word(np.zeros((2, 3), np.float32), rotation_vector=rotation_vector)
+    step = step_finite_word(np.zeros((2, 3), np.float32), rotation_vector=rotation_vector)
     np.testing.assert_array_equal(step, [[0, 0, 0, 1, 0]] * 2)
 
 
@@ -83,7 +83,7 @@ def test_no_rotation_is_the_identity(rotation_vector):
 def test_long_word_gives_the_usual_attitude(name, update, seed):
     rng = np.random.default_rng(seed)
     increments, start = rng.uniform(-0.2, 0.2, (12, 3)), random_quaternions(1, seed=seed)[0]
-    attitude = integrate_in_word(increments, name, start=start, word=np.float64, update=update)
+    attitude = integrate_finite_word(increments, name, start=start, word=np.float64, update=update)
     # Up to twelve steps, each good to some eps.
     np.testing.assert_allclose(
         attitude, integrate(increments, name, start=start), rtol=0, atol=100 * EPS
@@ -93,7 +93,7 @@ def test_long_word_gives_the_usual_attitude(name, update, seed):
 @every_update
 def test_short_word_is_good_to_some_roundings_a_step(update):
     increments = np.random.default_rng(0).uniform(-0.2, 0.2, (60, 3))
-    attitude = integrate_in_word(increments, update=update)
+    attitude = integrate_finite_word(increments, update=update)
     exact = integrate(increments)
     np.testing.assert_allclose(attitude, exact, rtol=0, atol=30 * 8 * EPS32)
     # And no better, so that it is a short word indeed.
@@ -106,7 +106,7 @@ def drift_at_earth_rate(update, start):
     increments = np.tile(1e-3 * EARTH_RATE * axis, (count, 1))
     # Compared from the start that the short word really has.
     start = np.asarray(start, np.float32)
-    attitude = integrate_in_word(increments, start=start, update=update)[-1]
+    attitude = integrate_finite_word(increments, start=start, update=update)[-1]
     exact = integrate(increments, start=start.astype(float))[-1]
     angle = rotation_angle(multiply(conjugate(exact), attitude))
     return np.degrees(angle) / (count * 1e-3) * 3600
@@ -151,13 +151,13 @@ def on_a_cone(count):
 def test_complement_keeps_the_attitude_where_the_scalar_part_is_not_stored_as_one(motion):
     """Not the norm alone: products with a rounded l0 shrink the components unequally."""
     increments = motion(4000)
-    steps = step_in_word(step_vectors(increments, "two-step-4", word=np.float32))
+    steps = step_finite_word(step_rotation_vectors(increments, "two-step-4", word=np.float32))
     assert np.median(1 - steps[:, 3]) > 0
     starts = random_quaternions(16).astype(np.float32)
     exact = integrate(increments, start=starts)[:, -1]
     errors = {}
     for update in UPDATES:
-        found = integrate_in_word(increments, start=starts, update=update)[:, -1].astype(float)
+        found = integrate_finite_word(increments, start=starts, update=update)[:, -1].astype(float)
         found /= np.linalg.norm(found, axis=-1, keepdims=True)
         angles = rotation_angle(multiply(conjugate(exact), found))
         errors[update] = np.sqrt(np.mean(angles**2))
@@ -191,9 +191,11 @@ def test_fused_multiply_add_rounds_a_product_and_its_sum_once(seed):
     increments = rng.uniform(-0.3, 0.3, (1, 3)).astype(np.float32)
     start = random_quaternions(1, seed=seed)[0].astype(np.float32)
     start = (start / np.linalg.norm(start.astype(float))).astype(np.float32)
-    found = integrate_in_word(increments, "picard-1", start=start, fused=True)[0]
+    found = integrate_finite_word(increments, "picard-1", start=start, fused=True)[0]
     first = unit_quaternions(start, "start").astype(np.float32)
-    x, y, z, scalar, _ = step_in_word(step_vectors(increments, "picard-1", word=np.float32))[0]
+    x, y, z, scalar, _ = step_finite_word(
+        step_rotation_vectors(increments, "picard-1", word=np.float32)
+    )[0]
     columns = [(scalar, z, -y, x), (-z, scalar, x, y), (y, -x, scalar, z), (-x, -y, -z, scalar)]
     expected = [fused_by_fractions(first, column) for column in columns]
     np.testing.assert_array_equal(found, expected)
@@ -202,7 +204,7 @@ def test_fused_multiply_add_rounds_a_product_and_its_sum_once(seed):
 @every_update
 def test_fused_sums_in_half_precision_are_those_of_a_longer_word_rounded(update):
     increments = np.random.default_rng(0).uniform(-0.2, 0.2, (60, 3))
-    found = integrate_in_word(increments, update=update, word=np.float16, fused=True)
+    found = integrate_finite_word(increments, update=update, word=np.float16, fused=True)
     exact = integrate(increments)
     assert found.dtype == np.float16
     # Sixty samples make thirty steps, each good to some eps of the word.
@@ -214,7 +216,7 @@ def test_fused_sums_in_half_precision_are_those_of_a_longer_word_rounded(update)
 def test_fused_words_of_64_bits_are_refused():
     words = r"^word: expected float16 or float32 with fused multiply-add, got float64\.$"
     with pytest.raises(ValueError, match=words):
-        integrate_in_word(np.zeros((2, 3)), word=np.float64, fused=True)
+        integrate_finite_word(np.zeros((2, 3)), word=np.float64, fused=True)
 
 
 @every_update
@@ -222,9 +224,9 @@ def test_fused_words_of_64_bits_are_refused():
 def test_length_is_one_if_it_is_mended_and_the_attitude_is_the_same(update, fused):
     increments = np.random.default_rng(0).uniform(-0.2, 0.2, (600, 3))
     options = {"update": update, "fused": fused}
-    mended = integrate_in_word(increments, normalise=True, **options).astype(float)
+    mended = integrate_finite_word(increments, normalise=True, **options).astype(float)
     assert np.abs(np.linalg.norm(mended, axis=-1) - 1).max() < 2 * EPS32
-    left = integrate_in_word(increments, **options).astype(float)
+    left = integrate_finite_word(increments, **options).astype(float)
     angle = rotation_angle(multiply(conjugate(left), mended))
     assert angle.max() < 300 * 8 * EPS32
 
@@ -237,7 +239,7 @@ def test_length_is_one_if_it_is_mended_and_the_attitude_is_the_same(update, fuse
 @pytest.mark.parametrize("word", ["float16", np.float32, "float64"])
 def test_answer_is_in_the_word(name, update, word):
     increments = np.random.default_rng(0).uniform(-0.2, 0.2, (6, 3))
-    attitude = integrate_in_word(increments, name, word=word, update=update)
+    attitude = integrate_finite_word(increments, name, word=word, update=update)
     assert attitude.dtype == np.dtype(word)
     assert attitude.shape == (6 // CONING_ALGORITHMS[name].samples, 4)
 
@@ -245,10 +247,10 @@ def test_answer_is_in_the_word(name, update, word):
 @every_update
 def test_usual_word_is_float32_and_usual_start_the_identity(update):
     increments = np.random.default_rng(0).uniform(-0.2, 0.2, (6, 3))
-    expected = integrate_in_word(
+    expected = integrate_finite_word(
         increments, "two-step-4", start=[0, 0, 0, 1], word=np.float32, update=update
     )
-    np.testing.assert_array_equal(integrate_in_word(increments, update=update), expected)
+    np.testing.assert_array_equal(integrate_finite_word(increments, update=update), expected)
 
 
 @every_update
@@ -257,10 +259,10 @@ def test_leading_axes_are_loops_and_arguments_are_left_alone(update):
     start = random_quaternions(3)
     for array in (increments, start):
         array.setflags(write=False)
-    together = integrate_in_word(increments, start=start, update=update)
+    together = integrate_finite_word(increments, start=start, update=update)
     assert together.shape == (2, 3, 3, 4)
     for i, j in np.ndindex(2, 3):
-        alone = integrate_in_word(increments[i, 0], start=start[j], update=update)
+        alone = integrate_finite_word(increments[i, 0], start=start[j], update=update)
         np.testing.assert_allclose(together[i, j], alone, rtol=0, atol=3 * 8 * EPS32)
 
 
@@ -270,13 +272,13 @@ def test_unknown_update_is_refused_with_the_known_ones():
         match=r"^update: expected one of product, small terms first, complement, compensated, "
         r"got 'sum'\.$",
     ):
-        integrate_in_word(np.zeros((2, 3)), update="sum")
+        integrate_finite_word(np.zeros((2, 3)), update="sum")
 
 
 @pytest.mark.parametrize("word", [int, bool, complex, np.longdouble, "euler"])
 def test_other_words_are_refused(word):
     with pytest.raises(ValueError, match=r"^word: expected float16, float32 or float64, got "):
-        integrate_in_word(np.zeros((2, 3)), word=word)
+        integrate_finite_word(np.zeros((2, 3)), word=word)
 
 
 @pytest.mark.parametrize(
@@ -292,7 +294,7 @@ def test_other_words_are_refused(word):
 @both_kinds
 def test_bad_vectors_are_refused(rotation_vector, vectors, words):
     with pytest.raises(ValueError, match=rf"^vectors: expected {words}"):
-        step_in_word(vectors, rotation_vector=rotation_vector)
+        step_finite_word(vectors, rotation_vector=rotation_vector)
 
 
 @pytest.mark.parametrize(
@@ -321,6 +323,6 @@ def test_bad_vectors_are_refused(rotation_vector, vectors, words):
     ],
 )
 def test_other_bad_arguments_are_refused_as_by_integrate(arguments, words):
-    for function in (integrate_in_word, integrate):
+    for function in (integrate_finite_word, integrate):
         with pytest.raises(ValueError, match=f"^{words}"):
             function(**arguments)

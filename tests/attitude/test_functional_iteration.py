@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from scipy.integrate import solve_ivp
 
-from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, attitude_algorithm
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, checked_algorithm
 from driftlab.attitude.drift_on_cones import coning_drift
-from driftlab.attitude.finite_precision import integrate_in_word
+from driftlab.attitude.finite_precision import integrate_finite_word
 from driftlab.attitude.functional_iteration import WIDEST, FunctionalIteration
-from driftlab.attitude.integration import integrate, step_quaternions, step_vectors
+from driftlab.attitude.integration import integrate, step_quaternions, step_rotation_vectors
 from driftlab.core.functional_iteration import tables
 from driftlab.motion.profiles import Coning, FixedAxis, Sway
 from driftlab.quaternion import (
@@ -26,7 +26,7 @@ from driftlab.quaternion import (
 from support import EPS, IDENTITY, quaternions, random_quaternions
 
 NAME = "functional-iteration"
-WINDOW = attitude_algorithm(NAME).window
+WINDOW = checked_algorithm(NAME).window
 SWAY = Sway(0.5, 0.5)
 every_window = pytest.mark.parametrize("window", [1, 2, 3, 5, 8, 12])
 
@@ -99,7 +99,7 @@ def test_two_whole_turns_in_a_window_are_no_harm(turn):
 def test_small_steps_keep_their_digits():
     """A step of 1e-9 rad to twelve digits, though the quaternion's scalar part is 1."""
     rows = 1e-9 * np.outer(np.linspace(1, 2, WINDOW), [1.0, -2.0, 0.5])
-    np.testing.assert_allclose(-4 * step_vectors(rows, NAME), rows, rtol=1e-12)
+    np.testing.assert_allclose(-4 * step_rotation_vectors(rows, NAME), rows, rtol=1e-12)
 
 
 # How it settles, and its order
@@ -203,9 +203,11 @@ def test_too_few_samples_in_a_round_leave_nothing_to_gain():
 @given(turn=quaternions(), seed=st.integers(0, 100))
 def test_turned_inputs_give_turned_rotations(turn, seed):
     rows = 0.2 * np.cumsum(np.random.default_rng(seed).uniform(-0.1, 0.1, (12, 3)), axis=0)
-    found = step_vectors(rotate(turn, rows), NAME)
+    found = step_rotation_vectors(rotate(turn, rows), NAME)
     bound = 16 * EPS * np.abs(tables(WINDOW).rate).sum(axis=1).max()
-    np.testing.assert_allclose(found, rotate(turn, step_vectors(rows, NAME)), rtol=0, atol=bound)
+    np.testing.assert_allclose(
+        found, rotate(turn, step_rotation_vectors(rows, NAME)), rtol=0, atol=bound
+    )
 
 
 def test_the_way_back_is_the_inverse():
@@ -246,20 +248,20 @@ def test_last_window_is_moved_back_until_it_is_full(count):
 def test_several_runs_that_do_not_fill_their_last_window_are_as_one_by_one():
     rows = np.stack([SWAY.increments(0.01, 2 * WINDOW + 3), SWAY.increments(0.02, 2 * WINDOW + 3)])
     runs = np.stack([rows, 0.5 * rows, -rows])
-    found = step_vectors(runs, NAME)
+    found = step_rotation_vectors(runs, NAME)
     assert found.shape == runs.shape
     # Sums over a window, then of those, in another order.
     bound = 4 * WINDOW * EPS * np.abs(runs).max()
     for place in np.ndindex(3, 2):
-        alone = step_vectors(runs[place], NAME)
+        alone = step_rotation_vectors(runs[place], NAME)
         np.testing.assert_allclose(found[place], alone, rtol=0, atol=bound)
 
 
 def test_many_windows_go_in_blocks():
     rows = SWAY.increments(0.01, 12 * 1300)
-    found = step_vectors(rows, NAME)
+    found = step_rotation_vectors(rows, NAME)
     for i in (0, 511, 512, 1299):
-        alone = step_vectors(rows[12 * i : 12 * i + 12], NAME)
+        alone = step_rotation_vectors(rows[12 * i : 12 * i + 12], NAME)
         np.testing.assert_allclose(found[12 * i : 12 * i + 12], alone, rtol=0, atol=8 * EPS)
 
 
@@ -267,10 +269,10 @@ def test_many_windows_go_in_blocks():
 def test_short_words_and_leading_axes(word):
     rows = np.stack([SWAY.increments(0.01, 24), FixedAxis(0.5, 1).increments(0.01, 24)])
     eps = float(np.finfo(word).eps)
-    vectors = step_vectors(rows, NAME, word=word)
+    vectors = step_rotation_vectors(rows, NAME, word=word)
     assert vectors.dtype == np.dtype(word)
-    np.testing.assert_allclose(vectors, step_vectors(rows, NAME), rtol=0, atol=4 * eps)
-    found = integrate_in_word(rows, NAME, word=word)
+    np.testing.assert_allclose(vectors, step_rotation_vectors(rows, NAME), rtol=0, atol=4 * eps)
+    found = integrate_finite_word(rows, NAME, word=word)
     np.testing.assert_allclose(found, integrate(rows, NAME), rtol=0, atol=24 * 8 * eps)
 
 
@@ -291,7 +293,7 @@ def test_windows_and_iterations_that_cannot_be_are_refused(arguments, words):
         FunctionalIteration("own", **arguments)
 
 
-@pytest.mark.parametrize("function", [integrate, step_quaternions, step_vectors])
+@pytest.mark.parametrize("function", [integrate, step_quaternions, step_rotation_vectors])
 def test_fewer_than_a_window_are_refused(function):
     words = r"^increments: expected at least 12 for functional-iteration, got 11\.$"
     with pytest.raises(ValueError, match=words):

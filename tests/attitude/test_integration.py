@@ -13,9 +13,9 @@ from driftlab.attitude.coning_algorithms import (
     ALGORITHMS,
     CONING_ALGORITHMS,
     Algorithm,
-    attitude_algorithm,
+    checked_algorithm,
 )
-from driftlab.attitude.integration import integrate, step_quaternions, step_vectors
+from driftlab.attitude.integration import integrate, step_quaternions, step_rotation_vectors
 from driftlab.checks import UnusualWarning
 from driftlab.motion.profiles import Coning, FixedAxis, Sway
 from driftlab.quaternion import (
@@ -121,7 +121,7 @@ FORMULA = 16 * EPS
 @given(rows=rows_of_increments)
 def test_step_of_its_own_increments(name, formula, samples, rows):
     expected = [formula(*step) for step in rows.reshape(-1, samples, 3)]
-    np.testing.assert_allclose(step_vectors(rows, name), expected, rtol=0, atol=FORMULA)
+    np.testing.assert_allclose(step_rotation_vectors(rows, name), expected, rtol=0, atol=FORMULA)
 
 
 @pytest.mark.parametrize(
@@ -136,10 +136,12 @@ def test_step_with_increments_of_earlier_steps(name, formula, starts, rows):
     memory = len(starts)
     later = [formula(*rows[i - memory : i + 1]) for i in range(memory, len(rows))]
     first = [start(*rows[: memory + 1]) for start in starts]
-    np.testing.assert_allclose(step_vectors(rows, name), [*first, *later], rtol=0, atol=FORMULA)
+    np.testing.assert_allclose(
+        step_rotation_vectors(rows, name), [*first, *later], rtol=0, atol=FORMULA
+    )
     # With a history there is no start, and what is older than the memory does not matter.
     for older in (memory, memory + 2):
-        actual = step_vectors(rows[older:], name, history=rows[:older])
+        actual = step_rotation_vectors(rows[older:], name, history=rows[:older])
         np.testing.assert_allclose(actual, later[older - memory :], rtol=0, atol=FORMULA)
 
 
@@ -147,7 +149,7 @@ def test_step_with_increments_of_earlier_steps(name, formula, starts, rows):
 @given(rows=rows_of_increments)
 def test_rotation_of_a_step_is_that_of_its_vector(name, rows):
     method = from_rotation_vector if name in ROTATION_VECTOR else rotation_quaternion
-    expected = method(step_vectors(rows, name))
+    expected = method(step_rotation_vectors(rows, name))
     # Rows that lie otherwise in memory may have another sine.
     np.testing.assert_allclose(step_quaternions(rows, name), expected, rtol=0, atol=4 * EPS)
 
@@ -168,9 +170,9 @@ def test_names_are_keys_and_cannot_be_replaced():
     assert all(ALGORITHMS[name].name == name for name in ALGORITHMS)
     assert [*ALGORITHMS] == [*CONING_ALGORITHMS, "functional-iteration"]
     assert all(ALGORITHMS[name] is CONING_ALGORITHMS[name] for name in CONING_ALGORITHMS)
-    assert attitude_algorithm("memory-4") is CONING_ALGORITHMS["memory-4"]
+    assert checked_algorithm("memory-4") is CONING_ALGORITHMS["memory-4"]
     assert len({*CONING_ALGORITHMS.values()}) == len(CONING_ALGORITHMS)  # weights hinder no set
-    assert attitude_algorithm("memory-4").window == 3
+    assert checked_algorithm("memory-4").window == 3
     with pytest.raises(TypeError, match="does not support item assignment"):
         ALGORITHMS["memory-4"] = None
 
@@ -179,10 +181,10 @@ def test_names_are_keys_and_cannot_be_replaced():
 def test_algorithm_of_ones_own(rows):
     """Half the correction of one-step-3, and a start without any."""
     own = Algorithm("own", 1, 1, {(0, 1): 1 / 24}, "tangent", 2, ({},))
-    assert attitude_algorithm(own) is own
+    assert checked_algorithm(own) is own
     expected = [tangent(rows[0])]
     expected += [tangent(g + np.cross(before, g) / 24) for before, g in pairwise(rows)]
-    np.testing.assert_allclose(step_vectors(rows, own), expected, rtol=0, atol=FORMULA)
+    np.testing.assert_allclose(step_rotation_vectors(rows, own), expected, rtol=0, atol=FORMULA)
     # Twelve products, each good to 8 eps.
     attitude = cumulative_product(rotation_quaternion(np.array(expected)))
     np.testing.assert_allclose(integrate(rows, own), attitude, rtol=0, atol=100 * EPS)
@@ -295,7 +297,7 @@ def test_coning_correction_is_exact_for_a_rate_that_is_linear_in_time(name, seed
         "tangent": -f / 4 - np.sum(f**2, axis=-1, keepdims=True) * f / 192,
         "rotation vector": f,
     }[chosen.last_stage]
-    np.testing.assert_allclose(step_vectors(rows, name), expected, rtol=0, atol=16 * EPS)
+    np.testing.assert_allclose(step_rotation_vectors(rows, name), expected, rtol=0, atol=16 * EPS)
 
 
 A, B, C = np.random.default_rng(7).uniform(-1, 1, (3, 3))
@@ -494,13 +496,13 @@ def test_history_has_the_leading_axes_of_the_increments(name):
 )
 def test_history_broadcasts(name, leading, past):
     rows, before = increments(*leading, 6), increments(*past, 2, seed=1)
-    together = step_vectors(rows, name, history=before)
+    together = step_rotation_vectors(rows, name, history=before)
     shape = np.broadcast_shapes(leading, past)
     assert together.shape[:-2] == shape
     rows = np.broadcast_to(rows, (*shape, 6, 3))
     before = np.broadcast_to(before, (*shape, 2, 3))
     for index in np.ndindex(shape):
-        alone = step_vectors(rows[index], name, history=before[index])
+        alone = step_rotation_vectors(rows[index], name, history=before[index])
         np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
 
 
@@ -552,17 +554,17 @@ def test_arguments_are_left_alone(name):
 def test_vectors_in_another_word(name, word):
     rows, history = increments(2, 6), increments(2, 2, seed=1)
     for past in (None, history):
-        vectors = step_vectors(rows, name, history=past, word=word)
+        vectors = step_rotation_vectors(rows, name, history=past, word=word)
         assert vectors.dtype == np.dtype(word)
         # Relative to sums of increments up to 0.5, good to an eps of the word.
         bound = 4 * float(np.finfo(word).eps)
-        expected = step_vectors(rows, name, history=past)
+        expected = step_rotation_vectors(rows, name, history=past)
         np.testing.assert_allclose(vectors, expected, rtol=0, atol=bound)
 
 
 # Refusals
 
-FUNCTIONS = [integrate, step_quaternions, step_vectors]
+FUNCTIONS = [integrate, step_quaternions, step_rotation_vectors]
 every_function = pytest.mark.parametrize("function", FUNCTIONS, ids=lambda f: f.__name__)
 
 
@@ -716,14 +718,14 @@ def test_increments_however_large_are_refused_alike(name):
 @pytest.mark.parametrize("word", [int, "complex64", bool, "longdouble", "euler"])
 def test_other_words_are_refused(word):
     with pytest.raises(ValueError, match=r"^word: expected float16, float32 or float64, got "):
-        step_vectors(increments(6), "two-step-4", word=word)
+        step_rotation_vectors(increments(6), "two-step-4", word=word)
 
 
 def test_increments_that_a_word_cannot_hold_are_refused():
     with pytest.raises(
         ValueError, match=r"^increments: expected numbers that float16 can hold, got larger ones\.$"
     ):
-        step_vectors(np.full((2, 3), 1e5), "rotation-vector-2", word="float16")
+        step_rotation_vectors(np.full((2, 3), 1e5), "rotation-vector-2", word="float16")
 
 
 def test_an_unknown_last_stage_is_refused():

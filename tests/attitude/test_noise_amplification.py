@@ -5,7 +5,7 @@ import pytest
 from scipy.stats import chi2
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.attitude.integration import integrate, step_vectors
+from driftlab.attitude.integration import integrate, step_rotation_vectors
 from driftlab.attitude.noise_amplification import (
     correction_gains,
     noise_growth,
@@ -31,7 +31,10 @@ def test_covariance_is_that_of_the_jacobian(name):
     rows = np.tile(turn, (algorithm.samples, 1))
     shifts = np.eye(rows.size).reshape(-1, *rows.shape)
     # The corrected sum is quadratic: its difference over two is linear, whatever the shift.
-    jacobian = (step_vectors(rows + shifts, algorithm) - step_vectors(rows - shifts, algorithm)) / 2
+    jacobian = (
+        step_rotation_vectors(rows + shifts, algorithm)
+        - step_rotation_vectors(rows - shifts, algorithm)
+    ) / 2
     columns = jacobian[:, 0]
     expected = np.einsum("ki,kj->ij", columns, columns)
     np.testing.assert_allclose(step_noise_covariance(algorithm, turn), expected, atol=1e-13)

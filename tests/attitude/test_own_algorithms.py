@@ -11,14 +11,14 @@ from driftlab.attitude import (
     FunctionalIteration,
     coning_drift,
     integrate,
-    integrate_in_word,
-    measured_coning_drift,
+    integrate_finite_word,
     noise_growth,
     sculling_correction,
+    simulated_coning_drift,
     step_quaternions,
-    step_vectors,
+    step_rotation_vectors,
 )
-from driftlab.attitude.own_algorithms import own_steps
+from driftlab.attitude.own_algorithms import checked_steps
 from driftlab.book.ch06_picard_algorithms.experiments import (
     algorithm_errors,
     algorithm_orders,
@@ -29,13 +29,13 @@ from driftlab.book.ch06_picard_algorithms.experiments.algorithms import named_al
 from driftlab.book.ch06_picard_algorithms.experiments.noise_and_band import rounding_error
 from driftlab.book.ch11_one_triad.experiments import calibration_stages
 from driftlab.drift import recorded_turn_estimate
-from driftlab.motion import Coning, Sway, TableTurn
+from driftlab.motion import Coning, Sway, TurntableRotation
 from driftlab.quaternion import multiply
 from support import EPS
 
 ROWS = Sway(0.5, 0.7).increments(0.01, 24)
 RUNS = np.stack([ROWS, 0.3 * ROWS[::-1]])
-TURN = TableTurn(0.2, latitude=1.0).increments([1, 1, 0], samples=360).angle
+TURN = TurntableRotation(0.2, latitude=1.0).increments([1, 1, 0], samples=360).angle
 
 
 def pair(g):
@@ -69,7 +69,7 @@ WAYS = {
     "integrate, history": lambda one: integrate(ROWS[2:], one, history=ROWS[:2]),
     "step_quaternions": lambda one: step_quaternions(ROWS, one),
     "coning_drift": lambda one: coning_drift(one, [[0.01], [0.4]], [1.0, -5.0, 9.0], 0.01),
-    "measured_coning_drift": lambda one: measured_coning_drift(
+    "simulated_coning_drift": lambda one: simulated_coning_drift(
         one, 0.4, [1.0, -5.0], 0.01, count=840
     ),
     "recorded_turn_estimate": lambda one: recorded_turn_estimate(TURN, [1, 1, 0], algorithm=one),
@@ -99,14 +99,14 @@ def test_own_function_does_what_the_named_algorithm_does(way, own, monkeypatch):
 
 @pytest.mark.parametrize("word", [np.float32, np.float64])
 def test_in_a_short_word_the_steps_of_an_own_function_are_rounded(word):
-    found, named = (integrate_in_word(ROWS, one, word=word) for one in (pair, "two-step-4"))
+    found, named = (integrate_finite_word(ROWS, one, word=word) for one in (pair, "two-step-4"))
     assert found.dtype == word
     # Rounding of each step; the two last stages differ by less in double precision.
     bound = len(named) * np.finfo(word).eps if word == np.float32 else 1e-7
     np.testing.assert_allclose(found, named, rtol=0, atol=bound)
     cayley = -np.tan(np.linalg.norm(pair(ROWS), axis=1) / 4) / np.linalg.norm(pair(ROWS), axis=1)
     np.testing.assert_allclose(
-        step_vectors(ROWS, pair), cayley[:, np.newaxis] * pair(ROWS), rtol=0, atol=1e-15
+        step_rotation_vectors(ROWS, pair), cayley[:, np.newaxis] * pair(ROWS), rtol=0, atol=1e-15
     )
 
 
@@ -121,8 +121,8 @@ def test_measured_drift_is_that_of_the_formula(name, half_angle):
     wobble = abs(coning_drift("picard-1", half_angle, [1.0, -4.0], 0.02)) / 60
     rounding = 1e-13 / 0.02
     for drift in (
-        measured_coning_drift(name, half_angle, [1.0, -4.0], 0.02),
-        measured_coning_drift(own, half_angle, [1.0, -4.0], 0.02),
+        simulated_coning_drift(name, half_angle, [1.0, -4.0], 0.02),
+        simulated_coning_drift(own, half_angle, [1.0, -4.0], 0.02),
     ):
         assert (abs(drift - expected) <= 0.1 * wobble + rounding).all()
     by_formula = coning_drift(own, half_angle, [1.0, -4.0], 0.02)
@@ -132,7 +132,7 @@ def test_measured_drift_is_that_of_the_formula(name, half_angle):
 def test_measured_drift_is_followed_beyond_half_a_turn():
     """With two samples a round `picard-1` misses all of the coning, many turns in so long."""
     expected = coning_drift("picard-1", 1.0, 1.0, 0.4)
-    found = measured_coning_drift("picard-1", 1.0, 1.0, 0.4, count=600)
+    found = simulated_coning_drift("picard-1", 1.0, 1.0, 0.4, count=600)
     assert abs(expected) * 240 > 10 * np.pi
     assert found == pytest.approx(expected, rel=1e-3)
 
@@ -141,9 +141,11 @@ def test_steps_that_never_repeat_are_measured_only():
     def smoothed(g):
         return g + 1e-4 * np.linspace(0, 1, len(g))[:, np.newaxis] * [0, 0, 1]
 
-    with pytest.raises(ValueError, match=r"^algorithm: expected steps that repeat .* measured_con"):
+    with pytest.raises(
+        ValueError, match=r"^algorithm: expected steps that repeat .* simulated_con"
+    ):
         coning_drift(smoothed, 0.1, 1.0, 0.01)
-    plain, found = (measured_coning_drift(one, 0.1, 1.0, 0.01) for one in ("picard-1", smoothed))
+    plain, found = (simulated_coning_drift(one, 0.1, 1.0, 0.01) for one in ("picard-1", smoothed))
     assert found - plain == pytest.approx(0.5e-4 / 0.01, rel=1e-2)
 
 
@@ -182,7 +184,7 @@ def test_constant_drift_of_an_own_function_counts_by_its_part_about_the_axis(aro
     # is a wobble of `measured`.
     expected = plain + bias[2] * np.cos(half_angle) * around / 2
     assert by_formula == pytest.approx(expected, rel=2e-4, abs=2e-13 * around)
-    measured = measured_coning_drift(drifting, half_angle, 1.0, 1 / around, count=8000)
+    measured = simulated_coning_drift(drifting, half_angle, 1.0, 1 / around, count=8000)
     assert measured == pytest.approx(by_formula, rel=2e-4, abs=2e-12 * around)
 
 
@@ -232,13 +234,13 @@ def test_formula_and_measurement_agree_or_both_refuse():
         cone = np.radians(degrees), 1.0, 1 / around
         true, most = longdouble_twist(function, cone[0], 2 * np.pi / around, 840)
         if most >= np.pi:
-            for drift in (coning_drift, measured_coning_drift):
+            for drift in (coning_drift, simulated_coning_drift):
                 with pytest.raises(ValueError, match=r"^half_angle, .* half a turn a step, got"):
                     drift(function, *cone)
             refused += 1
             continue
         # They differ by the wobble at the end, less than half a turn.
-        measured = measured_coning_drift(function, *cone) / around
+        measured = simulated_coning_drift(function, *cone) / around
         assert measured == pytest.approx(true, abs=np.pi / 840)
         assert coning_drift(function, *cone) / around == pytest.approx(true, abs=2 * np.pi / 840)
         told += 1
@@ -250,7 +252,7 @@ def test_formula_and_measurement_agree_or_both_refuse():
     [("rotation-vector-3", 120, 4.0), ("rotation-vector-2", 120, 3.3), (pair, 80, 2.9)],
 )
 def test_an_error_that_swings_by_half_a_turn_in_a_step_is_no_drift(name, degrees, around):
-    for drift in (coning_drift, measured_coning_drift):
+    for drift in (coning_drift, simulated_coning_drift):
         with pytest.raises(ValueError, match=r"^half_angle, frequency, .* less than half a turn"):
             drift(name, np.radians([1.0, degrees]), 1.0, 1 / around)
 
@@ -268,7 +270,7 @@ def test_single_precision_is_measured_and_its_formula_refused_with_the_reason():
         with pytest.raises(ValueError, match=r"to the digits of double precision.* differ by .*e-"):
             coning_drift(function, *cone)
         # Rounding of numbers up to one, at random or of the last attitude alone.
-        found = measured_coning_drift(function, *cone)
+        found = simulated_coning_drift(function, *cone)
         assert found == pytest.approx(expected, abs=np.finfo(np.float32).eps * 37.123 / 10)
 
 
@@ -283,9 +285,9 @@ def test_seldom_answers_of_a_good_integrator_are_no_slip(degrees, around, each):
     def vectors(g):
         return Rotation.from_quat(step_quaternions(g, seldom)).as_rotvec()
 
-    often = measured_coning_drift("rotation-vector-2", *cone, count=960)
+    often = simulated_coning_drift("rotation-vector-2", *cone, count=960)
     for function in (seldom, vectors):
-        assert measured_coning_drift(function, *cone, count=960) == pytest.approx(often, abs=1e-9)
+        assert simulated_coning_drift(function, *cone, count=960) == pytest.approx(often, abs=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -310,8 +312,11 @@ def test_poor_integrators_are_no_slip_in_steps_of_any_length(seed):
 WRONG = {
     "degrees": (lambda g: np.degrees(pair(g)), "rotation vectors in rad .* got degrees"),
     "opposite": (lambda g: -pair(g), "got the opposite sign"),
-    "Cayley": (lambda g: step_vectors(g, "two-step-4"), "got Cayley vectors"),
-    "Cayley, other sign": (lambda g: -step_vectors(g, "two-step-4"), r"got vectors tan\(phi/4\)"),
+    "Cayley": (lambda g: step_rotation_vectors(g, "two-step-4"), "got Cayley vectors"),
+    "Cayley, other sign": (
+        lambda g: -step_rotation_vectors(g, "two-step-4"),
+        r"got vectors tan\(phi/4\)",
+    ),
     "cumulated": (lambda g: np.cumsum(pair(g), axis=0), "got rotation vectors since the start"),
     "scalar first": (lambda g: attitudes(g)[:, [3, 0, 1, 2]], "got scalar first"),
     "inverse": (lambda g: rotations(g).inv(), "got reference to body"),
@@ -360,7 +365,7 @@ def test_a_bad_algorithm_is_no_slip_and_its_argument_is_its_own():
         return g
 
     expected = step_quaternions(ROWS / 2, half_of)
-    np.testing.assert_allclose(own_steps(half, rows), expected, rtol=0, atol=4 * EPS)
+    np.testing.assert_allclose(checked_steps(half, rows), expected, rtol=0, atol=4 * EPS)
     np.testing.assert_array_equal(rows, ROWS)
 
 

@@ -195,7 +195,7 @@ def test_parameters_have_their_values_again() -> None:
     }
     page: dict[str, Any] = {"Choice": Choice}
     lines = imports(values)
-    assert "from driftlab import Scheme" in lines
+    assert "from driftlab.motion import Scheme" in lines
     assert "from figure_variations import plain" in lines
     exec("\n".join(line for line in lines if "Choice" not in line), page)
     again = {name: eval(written(value), page) for name, value in values.items()}

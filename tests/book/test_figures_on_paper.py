@@ -143,9 +143,9 @@ def test_fonts_are_embedded_as_journals_want_them(tmp_path: Path) -> None:
 
 
 def test_the_numbers_are_saved_too(tmp_path: Path) -> None:
-    figure = figures.figure("03-drift-map", triad_error=[[0, 0, 0], [1e-3, 0, 0], [0, 0, 0]])
+    figure = figures.figure("03-drift-map", error_matrix=[[0, 0, 0], [1e-3, 0, 0], [0, 0, 0]])
     words = figure.save(tmp_path / "map.csv").read_text(encoding="utf-8")
-    assert "figure('03-drift-map', triad_error=[[0, 0, 0], [0.001, 0, 0], [0, 0, 0]])" in words
+    assert "figure('03-drift-map', error_matrix=[[0, 0, 0], [0.001, 0, 0], [0, 0, 0]])" in words
 
 
 @pytest.mark.parametrize(
@@ -168,7 +168,7 @@ def test_a_drawing_has_no_numbers(tmp_path: Path) -> None:
 
 
 def test_refusals_of_parameters() -> None:
-    with pytest.raises(ValueError, match="03-drift-map: expected triad_error, got 'matrix'"):
+    with pytest.raises(ValueError, match="03-drift-map: expected error_matrix, got 'matrix'"):
         figures.figure("03-drift-map", matrix=0)
     with pytest.raises(ValueError, match="03-drift-map: expected data or parameters, got both"):
-        figures.figure("03-drift-map", 1, triad_error=0)
+        figures.figure("03-drift-map", 1, error_matrix=0)

@@ -7,11 +7,11 @@ import pytest
 
 import driftlab.book.__main__ as command
 from driftlab.book.machinery.figure.publish import FigureDefinition
-from driftlab.calibration.simulation import TableTrial
+from driftlab.calibration.simulation import TurntableTrial
 from driftlab.monte_carlo import run_batches
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
-TASK = TableTrial(
+TASK = TurntableTrial(
     Scheme(NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=3.0),
     sample_interval=0.5,
     update_interval=3.0,

@@ -21,7 +21,7 @@ from driftlab.book.machinery.panel.panel import Explorer
 from driftlab.book.panels import EXPLORERS
 from driftlab.drift.characteristic_equation import asymptotic_roots
 from driftlab.drift.error_kinematics import error_quaternion
-from driftlab.drift.systematic_drift import drift_per_turn
+from driftlab.drift.systematic_drift import drift_per_revolution
 from grouped import opened
 from panel_numbers import NUMBER, results_of, seconds_of
 from panel_numbers.ch02 import SHAPES
@@ -62,7 +62,7 @@ def first_order_roots(values: Values) -> np.ndarray:
 
 def drift(values: Values) -> np.ndarray:
     entries = [values[f"m{row}{column}"] for row in (1, 2, 3) for column in (1, 2, 3)]
-    return drift_per_turn(axis_of(values), 1e-3 * np.reshape(entries, (3, 3)))
+    return drift_per_revolution(axis_of(values), 1e-3 * np.reshape(entries, (3, 3)))
 
 
 def estimates(values: Values) -> list[float]:

@@ -10,14 +10,20 @@ import pytest
 from scipy.constants import arcsecond, degree, g, hour, micro
 from scipy.stats import chi2, norm
 
-from driftlab.calibration import ERROR_MODELS, FULL, InconsistentWarning, calibrate, innovation_test
-from driftlab.calibration._told import FITS, evidence
+from driftlab.calibration import (
+    ERROR_MODELS,
+    FULL,
+    InconsistentCalibrationWarning,
+    calibrate,
+    innovation_test,
+)
+from driftlab.calibration._filter_inputs import FITS, evidence
 from driftlab.calibration.calibration_history import CONFIDENCE, Calibration, InnovationTest
 from driftlab.calibration.filter import _normalised_innovations
-from driftlab.imu import NO_ERRORS, ImuNoise, PriorDeviations, random_imu_errors
+from driftlab.imu import NO_ERRORS, ImuNoise, PriorStandardDeviations, random_imu_errors
 from driftlab.increments import Increments, measure
 from driftlab.quaternion import from_rotation_vector, multiply
-from table_records import RECORDS, STEP, told
+from table_records import RECORDS, STEP, inputs
 
 # Innovations
 
@@ -38,8 +44,8 @@ def innovations(squares, mean):
     ],
 )
 def test_the_worst_of_both_tests_is_told(squares, mean, found):
-    told = innovations(squares, mean)._contradiction()
-    assert told == (found and (found[0], f"expected {found[1]}"))
+    inputs = innovations(squares, mean)._contradiction()
+    assert inputs == (found and (found[0], f"expected {found[1]}"))
 
 
 def test_normalised_innovations_have_the_nis_for_square():
@@ -54,13 +60,15 @@ def test_normalised_innovations_have_the_nis_for_square():
     np.testing.assert_allclose(np.sum(found**2, axis=-1), nis, rtol=1e-12)
 
 
-def passes(state, deviations=None):
+def passes(state, standard_deviations=None):
     """What is read of a calibration."""
-    return SimpleNamespace(model=FULL, state=np.asarray(state), deviations=deviations)
+    return SimpleNamespace(
+        model=FULL, state=np.asarray(state), standard_deviations=standard_deviations
+    )
 
 
 def test_errors_beyond_the_prior_are_told_in_their_units_the_largest_of_each_kind():
-    prior, start = PriorDeviations(), np.array([[0.0, 0.0, 0.0, 1.0]] * 2)
+    prior, start = PriorStandardDeviations(), np.array([[0.0, 0.0, 0.0, 1.0]] * 2)
     known = np.sqrt(np.diag(FULL.covariance(prior, start[0])))
     kinds = {
         "gyro bias": (degree / hour, " deg/h"),
@@ -88,12 +96,12 @@ def test_errors_beyond_the_prior_are_told_in_their_units_the_largest_of_each_kin
 @pytest.mark.parametrize("size", [1.0, 1.05])
 def test_second_order_is_the_square_of_the_largest_error_over_the_least_deviation(size):
     scale = [k for k, name in enumerate(FULL.names) if " scale " in name]
-    state, deviations = np.zeros((2, 2, FULL.size)), np.full((2, 2, FULL.size), 1e-2)
-    deviations[..., scale[0]] = 0.0  # known before
-    deviations[:, -1, scale[1]] = [1e-6, 4.5e-6]
+    state, standard_deviations = np.zeros((2, 2, FULL.size)), np.full((2, 2, FULL.size), 1e-2)
+    standard_deviations[..., scale[0]] = 0.0  # known before
+    standard_deviations[:, -1, scale[1]] = [1e-6, 4.5e-6]
     state[:, -1, scale[2]] = [1e-3, -3e-3 * size]
     state[:, 0] = 1.0  # of the beginning nothing counts
-    said = Calibration._too_large(passes(state, deviations))
+    said = Calibration._too_large(passes(state, standard_deviations))
     assert [line.split("got ")[1][:4] for line in said] == ["2.21"] * (size > 1)
 
 
@@ -125,9 +133,9 @@ def test_bounds_are_quantiles_of_chi_square_and_of_the_normal(count):
 
 def many(scheme, runs, noisy=True, size=40):
     """Right runs of different units, along a leading axis."""
-    prior = PriorDeviations(installation=size * arcsecond)
+    prior = PriorStandardDeviations(installation=size * arcsecond)
     rng = np.random.default_rng(7)
-    run = told(scheme, noisy, prior=prior, errors=random_imu_errors(prior, rng, runs))
+    run = inputs(scheme, noisy, prior=prior, errors=random_imu_errors(prior, rng, runs))
     tilts = from_rotation_vector(prior.attitude * rng.standard_normal((runs, 3)))
     shape = (runs, *run["reference_velocity"].shape)
     reference = noisy * run["noise"].reference_velocity * rng.standard_normal(shape)
@@ -161,18 +169,20 @@ def test_no_right_run_is_doubted(scheme):
     assert abs(test.mean.mean() - 1) < 4 * np.sqrt(2 / 3 / 40)
     assert abs(test.correlation.mean()) < 4 / np.sqrt(count)
     assert (innovation_test(calibrate(**still)).verdict == "too cautious").all()
-    told = found.told._replace(reference=np.full((1, 3), 0.03))
+    inputs = found.inputs._replace(reference=np.full((1, 3), 0.03))
     for rows, start in zip(zip(*noisy["increments"][1:], strict=True), noisy["start"], strict=True):
         seen = evidence(Increments(STEP, *rows))
-        assert seen.misfit(told._replace(start=start)) < 0.8 * FITS
+        assert seen.misfit(inputs._replace(start=start)) < 0.8 * FITS
 
 
 def test_units_bent_too_much_for_one_pass_are_told_to_pass_again():
     run = many("19 positions", 3, size=400)
-    with pytest.warns(InconsistentWarning, match="too large for first order.*go over the record"):
+    with pytest.warns(
+        InconsistentCalibrationWarning, match="too large for first order.*go over the record"
+    ):
         first = calibrate(**run)
     assert (innovation_test(first).verdict == "consistent").all()  # these see nothing
-    calibrate(**run, about=first)  # without a word
+    calibrate(**run, linearization_point=first)  # without a word
 
 
 # A table that stands, and reference velocities at any time
@@ -180,7 +190,7 @@ def test_units_bent_too_much_for_one_pass_are_told_to_pass_again():
 
 def test_table_that_stands_is_told_by_nothing():
     """Zeros at every second, or as often as is said; what is left over goes to the last update."""
-    run = told(noisy=False)
+    run = inputs(noisy=False)
     run.pop("reference_velocity")
     seconds = len(run["increments"].angle) * STEP
     usual = calibrate(**run)
@@ -188,7 +198,7 @@ def test_table_that_stands_is_told_by_nothing():
     found = calibrate(**run, update_interval=31.0)
     assert found.times[-1] == seconds
     assert len(found.nis) == np.ceil(seconds / (42 * STEP))  # the nearest number of pairs
-    evenly = calibrate(**told(noisy=False))
+    evenly = calibrate(**inputs(noisy=False))
     same = calibrate(**run, update_interval=40 * STEP)
     for name in ("state", "covariance", "nis", "innovations"):
         np.testing.assert_array_equal(getattr(same, name), getattr(evenly, name))
@@ -198,19 +208,19 @@ def test_table_that_stands_is_told_by_nothing():
 
 def test_noise_of_a_table_that_stands_is_found_from_the_innovations():
     """Less and less until the innovations are as large as told; the estimates stay right."""
-    run = told(noisy=False)
+    run = inputs(noisy=False)
     verdicts, stated = [], []
     for deviation in (1e-2, 1e-3, 1e-4, 1e-5):
         found = calibrate(**run | {"noise": ImuNoise(reference_velocity=deviation)})
         verdicts.append(str(innovation_test(found).verdict))
-        stated.append(found.deviations[-1, 6:])
+        stated.append(found.standard_deviations[-1, 6:])
     assert verdicts[0] == "too cautious"
     assert verdicts[-1] == "consistent"
     assert (np.diff(stated, axis=0) < 0).all()
 
 
 def test_velocities_at_any_time_are_those_of_the_nearest_pair():
-    run = told()
+    run = inputs()
     ends = np.arange(1, len(run["reference_velocity"]) + 1) * 40 * STEP
     evenly = calibrate(**run)
     near = calibrate(**run, reference_times=ends + 0.9 * STEP * np.sin(ends))
@@ -221,9 +231,9 @@ def test_velocities_at_any_time_are_those_of_the_nearest_pair():
     found = calibrate(**some, reference_times=ends[kept])
     assert found.times[-1] == ends[-2]
     assert innovation_test(found).verdict == "consistent"
-    again = calibrate(**some, reference_times=ends[kept], about=found)
+    again = calibrate(**some, reference_times=ends[kept], linearization_point=found)
     np.testing.assert_allclose(
-        (again.state[-1] - found.state[-1]) / found.deviations[-1].clip(1e-12), 0, atol=0.5
+        (again.state[-1] - found.state[-1]) / found.standard_deviations[-1].clip(1e-12), 0, atol=0.5
     )
     early = run | {"reference_velocity": run["reference_velocity"][:20]}
     with pytest.warns(UserWarning, match="^reference_times: the record goes on for .* not used"):
@@ -258,7 +268,7 @@ def test_velocities_at_any_time_are_those_of_the_nearest_pair():
     ],
 )
 def test_times_that_cannot_be_are_refused(changes, words):
-    run = told()
+    run = inputs()
     if len(changes.get("reference_times", [])) == 2:
         run["reference_velocity"] = None
     with pytest.raises(ValueError, match=f"^{words}"):
@@ -266,7 +276,7 @@ def test_times_that_cannot_be_are_refused(changes, words):
 
 
 def test_innovations_are_the_roots_of_their_squares():
-    found = calibrate(**told())
+    found = calibrate(**inputs())
     np.testing.assert_allclose(np.sum(found.innovations**2, axis=-1), found.nis, rtol=1e-6)
 
 

@@ -8,12 +8,12 @@ import pytest
 from scipy.constants import degree, g, hour, micro
 
 import covariance_by_hand
-from covariance_by_hand import ARC_SECOND, LATITUDE, deviations
-from driftlab.calibration.covariance import covariance_analysis, deviation_history
+from covariance_by_hand import ARC_SECOND, LATITUDE, standard_deviations
+from driftlab.calibration.covariance import covariance_analysis, standard_deviation_history
 from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.simulation import TableTrial
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.calibration.simulation import TurntableTrial
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
 AVERAGED = ERROR_MODELS["averaged"]
@@ -32,27 +32,29 @@ def test_the_other_analysis_imports_nothing_of_the_package() -> None:
 
 @pytest.mark.slow
 def test_filter_states_the_deviations_that_follow_without_the_package() -> None:
-    trial = TableTrial(sample_interval=0.1)
+    trial = TurntableTrial(sample_interval=0.1)
     assert trial.latitude == LATITUDE
     found = trial.run(np.random.default_rng(1)).calibration
     assert found.model is AVERAGED
     # The filter goes along what it computes, some hundred arc seconds or 5e-4 from the true motion.
-    np.testing.assert_allclose(found.deviations[-1], deviations(40 * ARC_SECOND), rtol=5e-4)
+    np.testing.assert_allclose(
+        found.standard_deviations[-1], standard_deviations(40 * ARC_SECOND), rtol=5e-4
+    )
 
 
 @pytest.mark.parametrize("installation", [40, 400])
 def test_expected_deviations_are_those_that_follow_without_the_package(installation: int) -> None:
-    prior = PriorDeviations(installation=installation * ARC_SECOND)
+    prior = PriorStandardDeviations(installation=installation * ARC_SECOND)
     way = linearize_along(NINETEEN_POSITIONS, LATITUDE, AVERAGED)
     expected = np.sqrt(np.diag(covariance_analysis(way, ImuNoise(), prior)))
-    found = deviations(installation * ARC_SECOND)
+    found = standard_deviations(installation * ARC_SECOND)
     # Long steps are about one per cent off, as the docstring says.
     np.testing.assert_allclose(expected[6:], found[6:], rtol=0.02)
 
 
 def test_deviations_are_those_that_a_third_hand_found() -> None:
     """Computed once more, by another program and another author; all their digits."""
-    found = deviations(40 * ARC_SECOND)
+    found = standard_deviations(40 * ARC_SECOND)
     for name, values, unit in (
         ("gyro scale", [3.582, 3.581, 3.549], micro),
         ("gyro non-orthogonality", [0.965, 0.962, 0.969], ARC_SECOND),
@@ -68,18 +70,20 @@ def test_deviations_are_those_that_a_third_hand_found() -> None:
 def test_the_velocity_is_seen_each_second_if_nothing_is_said_and_never_without_noise():
     turns = Scheme("+90Y", ("Up", "East", "North"))
     linearized = linearize_along(turns, 0.7, AVERAGED)
-    known = linearized, ImuNoise(), PriorDeviations()
-    for analysis in (covariance_analysis, deviation_history):
+    known = linearized, ImuNoise(), PriorStandardDeviations()
+    for analysis in (covariance_analysis, standard_deviation_history):
         np.testing.assert_array_equal(analysis(*known), analysis(*known, update=1.0))
         with pytest.raises(
             ValueError, match=r"^noise: expected a deviation .* above 0, got 0\.0 m"
         ):
-            analysis(linearized, ImuNoise(reference_velocity=0.0), PriorDeviations())
+            analysis(linearized, ImuNoise(reference_velocity=0.0), PriorStandardDeviations())
 
 
 def test_what_is_measured_almost_exactly_has_no_deviation_that_is_no_number():
     """Its variance is then of the size of the rounding, and may be negative."""
     turns = Scheme("+90Y +90Y +90Y", ("Up", "East", "North"))
     linearized = linearize_along(turns, 0.7, ERROR_MODELS["averaged"])
-    history = deviation_history(linearized, ImuNoise(), PriorDeviations(), update=1e-50)
+    history = standard_deviation_history(
+        linearized, ImuNoise(), PriorStandardDeviations(), update=1e-50
+    )
     assert np.isfinite(history).all()

@@ -7,19 +7,23 @@ from scipy.constants import degree, hour, knot, nautical_mile
 from driftlab.calibration.body_axes import attitude_error
 from driftlab.calibration.error_budget import (
     MissionErrors,
-    calibration_budget,
-    mission_causes,
+    calibration_error_budget,
+    mission_error_sources,
     mission_errors,
 )
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.static_error_growth import STATIC_CAUSES, static_causes, static_errors
+from driftlab.calibration.static_error_growth import (
+    STATIC_ERROR_SOURCES,
+    static_error_sources,
+    static_errors,
+)
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align
-from driftlab.imu import NO_ERRORS, PriorDeviations
+from driftlab.imu import NO_ERRORS, PriorStandardDeviations
 from driftlab.increments import measure
-from driftlab.motion import Scheme, table_trajectory
+from driftlab.motion import Scheme, turntable_trajectory
 from driftlab.motion.turntable import static_trajectory
-from driftlab.strapdown import at_rest, last_of, navigate
+from driftlab.strapdown import final_state, navigate, stationary_state
 
 LEVEL = np.array([0.0, 0.0, 0.0, 1.0])
 MODEL = ERROR_MODELS["averaged"]
@@ -77,14 +81,14 @@ def test_a_hundredth_of_a_degree_an_hour_is_three_fifths_of_a_mile_an_hour():
 def test_an_aligned_unit_begins_with_the_causes_that_are_computed(standing):
     standing = np.asarray(standing) / np.linalg.norm(standing)
     states = np.random.default_rng(2).multivariate_normal(
-        np.zeros(27), 1e-4 * MODEL.covariance(PriorDeviations(), LEVEL), 5
+        np.zeros(27), 1e-4 * MODEL.covariance(PriorStandardDeviations(), LEVEL), 5
     )
     units = MODEL.imu_errors(states)
-    found = static_causes(
+    found = static_error_sources(
         units, NO_ERRORS, standing, start=self_aligned(units, standing), reference=standing,
         latitude=LATITUDE,
     )  # fmt: skip
-    computed = states @ mission_causes(MODEL, standing, LATITUDE).T
+    computed = states @ mission_error_sources(MODEL, standing, LATITUDE).T
     # Second order: a heading that is wrong by 1e-3, times a tilt.
     gap = np.abs(found - computed).max(axis=0)
     assert (gap <= 2e-3 * np.abs(computed).max(axis=0)).all()
@@ -94,33 +98,37 @@ def test_an_aligned_unit_begins_with_the_causes_that_are_computed(standing):
 def test_a_turn_after_the_alignment_does_what_is_computed(turn):
     """Navigate through a turn of a few seconds, and then at rest for an hour."""
     state = np.random.default_rng(3).multivariate_normal(
-        np.zeros(27), 1e-4 * MODEL.covariance(PriorDeviations(), LEVEL)
+        np.zeros(27), 1e-4 * MODEL.covariance(PriorStandardDeviations(), LEVEL)
     )
     state[6:9] *= 1e-2  # so that the turn counts beside the gyros' biases
     unit = MODEL.imu_errors(state)
     scheme = Scheme(f"{turn:+d}Z", ("East", "North", "Up"), dwell=1e-3, rate=np.radians(60.0))
-    way = table_trajectory(scheme, LATITUDE, 5e-3, multiple_of=2)
-    moved = last_of(
-        navigate(at_rest(LATITUDE, self_aligned(unit, LEVEL)), measure(way.increments, unit))
+    way = turntable_trajectory(scheme, LATITUDE, 5e-3, multiple_of=2)
+    moved = final_state(
+        navigate(
+            stationary_state(LATITUDE, self_aligned(unit, LEVEL)), measure(way.increments, unit)
+        )
     )
     phi = attitude_error(moved.attitude, way.attitude[-1])
-    causes = mission_causes(MODEL, LEVEL, LATITUDE, np.radians(turn)) @ state
+    causes = mission_error_sources(MODEL, LEVEL, LATITUDE, np.radians(turn)) @ state
     # What a few seconds add of their own: the Earth's turn under the errors, 15 arc seconds/s.
     size = np.abs(causes[:3]).max()
     np.testing.assert_allclose(phi, causes[:3], rtol=0, atol=1e-3 * size)
-    assert np.abs(mission_causes(MODEL, LEVEL, LATITUDE)[:3] @ state - phi).max() > 0.05 * size
+    assert (
+        np.abs(mission_error_sources(MODEL, LEVEL, LATITUDE)[:3] @ state - phi).max() > 0.05 * size
+    )
     end = static_trajectory(way.attitude[-1], LATITUDE, 1.0, 3600)
     start = moved._replace(velocity=np.zeros(3), latitude=LATITUDE, longitude=0.0, altitude=0.0)
     run = navigate(start, measure(end.increments, unit), hold_altitude=True, every=3600)
     curve = static_errors([3600.0], LATITUDE, causes).position[0]
-    north = (last_of(run).latitude - LATITUDE) * 6.36e6
-    east = last_of(run).longitude * 6.385e6 * np.cos(LATITUDE)
+    north = (final_state(run).latitude - LATITUDE) * 6.36e6
+    east = final_state(run).longitude * 6.385e6 * np.cos(LATITUDE)
     assert np.hypot(*(curve - [east, north])) < 0.01 * np.hypot(*curve)
 
 
 def test_budget_of_a_calibration_is_that_of_its_kinds():
-    covariance = MODEL.covariance(PriorDeviations(), LEVEL)
-    budget = calibration_budget(TIMES, LATITUDE, MODEL, covariance, LEVEL, turn=1.0)
+    covariance = MODEL.covariance(PriorStandardDeviations(), LEVEL)
+    budget = calibration_error_budget(TIMES, LATITUDE, MODEL, covariance, LEVEL, turn=1.0)
     assert list(budget) == [
         "gyro bias", "gyro scale", "gyro non-orthogonality",
         "accelerometer bias", "accelerometer scale", "accelerometer installation", "all",
@@ -133,7 +141,9 @@ def test_budget_of_a_calibration_is_that_of_its_kinds():
     np.testing.assert_allclose(whole.distance**2, squares, rtol=1e-3)
     # The farther it turns after its alignment, the less of a gyro's bias cancels.
     rates = [
-        calibration_budget(TIMES, LATITUDE, MODEL, covariance, LEVEL, turn)["all"].radial_error_rate
+        calibration_error_budget(TIMES, LATITUDE, MODEL, covariance, LEVEL, turn)[
+            "all"
+        ].radial_error_rate
         for turn in np.radians([0, 90, 180])
     ]
     assert rates[0] < rates[1] < rates[2] < 3 * rates[0]
@@ -142,8 +152,8 @@ def test_budget_of_a_calibration_is_that_of_its_kinds():
 
 @pytest.mark.parametrize("turn", [2 * np.pi, -2 * np.pi])
 def test_a_whole_turn_after_the_alignment_leaves_what_the_scale_makes_of_it(turn):
-    left = mission_causes(MODEL, LEVEL, 0.1, turn) - mission_causes(MODEL, LEVEL, 0.1)
-    scale, up = MODEL.names.index("gyro scale z"), STATIC_CAUSES.index("attitude Up")
+    left = mission_error_sources(MODEL, LEVEL, 0.1, turn) - mission_error_sources(MODEL, LEVEL, 0.1)
+    scale, up = MODEL.names.index("gyro scale z"), STATIC_ERROR_SOURCES.index("attitude Up")
     assert abs(left[up, scale]) == pytest.approx(2 * np.pi)
     left[up, scale] = 0.0
     np.testing.assert_allclose(left, 0, atol=1e-12)
@@ -153,20 +163,20 @@ def test_bad_arguments_are_refused_by_name():
     with pytest.raises(ValueError, match=r"^covariance: expected shape \(\.\.\., 12, 12\)"):
         mission_errors([1.0], 0.1, np.eye(7))
     with pytest.raises(ValueError, match=r"^model: expected an ErrorModel"):
-        mission_causes("average", LEVEL, 0.1)
+        mission_error_sources("average", LEVEL, 0.1)
     with pytest.raises(ValueError, match=r"^turn: expected one number"):
-        mission_causes(MODEL, LEVEL, 0.1, [1.0])
+        mission_error_sources(MODEL, LEVEL, 0.1, [1.0])
     with pytest.raises(ValueError, match=r"^attitude: expected nonzero quaternions"):
-        mission_causes(MODEL, np.zeros(4), 0.1)
+        mission_error_sources(MODEL, np.zeros(4), 0.1)
     none = np.zeros((MODEL.size, MODEL.size))
     with pytest.raises(ValueError, match=r"^covariance: expected shape \(27, 27\), as calib"):
-        calibration_budget([1.0], 0.1, MODEL, none[np.newaxis], LEVEL)
+        calibration_error_budget([1.0], 0.1, MODEL, none[np.newaxis], LEVEL)
     for negative in (np.ones(MODEL.size), np.eye(MODEL.size)[-1]):
         with pytest.raises(ValueError, match=r"^covariance: expected squares of deviations"):
-            calibration_budget([1.0], 0.1, MODEL, np.diag(0.5 - negative), LEVEL)
+            calibration_error_budget([1.0], 0.1, MODEL, np.diag(0.5 - negative), LEVEL)
     with pytest.raises(ValueError, match=r"^times: expected times since the start, got -5 s"):
-        calibration_budget([-5.0], 0.1, MODEL, none, LEVEL)
+        calibration_error_budget([-5.0], 0.1, MODEL, none, LEVEL)
     with pytest.raises(ValueError, match=r"^turn: expected at most a whole turn, in rad, got 180"):
-        calibration_budget([1.0], 0.1, MODEL, none, LEVEL, 180.0)
+        calibration_error_budget([1.0], 0.1, MODEL, none, LEVEL, 180.0)
     with pytest.raises(ValueError, match=r"^times: expected some time after the start"):
         _ = mission_errors([0.0], 0.1, np.eye(12)).radial_error_rate

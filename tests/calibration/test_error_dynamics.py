@@ -16,9 +16,9 @@ from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuErrors, ImuNoise
 from driftlab.increments import Increments, measure
 from driftlab.motion.scheme import Scheme
-from driftlab.motion.turntable import table_trajectory
+from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply, to_matrix
-from driftlab.strapdown import at_rest, last_of, navigate
+from driftlab.strapdown import final_state, navigate, stationary_state
 from driftlab.vectors import cross_matrix
 from numerical_growth import allowed, numerical_growth
 from support import EPS, order_of, random_quaternions
@@ -73,7 +73,7 @@ def growth_along(record, latitude, model):
 @every_model
 @every_latitude
 def test_growth_is_that_of_the_nonlinear_mechanisation(model, latitude):
-    record = table_trajectory(TURNS, latitude, 0.01, multiple_of=2)
+    record = turntable_trajectory(TURNS, latitude, 0.01, multiple_of=2)
     duration = 0.01 * len(record.increments.angle)
     found = growth_along(record, latitude, model)
     # Rotations by 0.01 rad a pair, taken in the middle: 0.01^2/24 of each share.
@@ -87,7 +87,7 @@ def test_growth_is_that_of_the_nonlinear_mechanisation(model, latitude):
 def test_growth_of_increments_counts_the_local_axes_as_fixed(model):
     """So it is wrong by W T in attitudes as well; and the middle of two attitudes is a chord."""
     latitude = np.radians(37.5)
-    record = table_trajectory(TURNS, latitude, 0.01, multiple_of=2)
+    record = turntable_trajectory(TURNS, latitude, 0.01, multiple_of=2)
     duration = 0.01 * len(record.increments.angle)
     found = transition_of_increments(
         model, free_transition(latitude, duration), record.attitude[0::2], record.increments
@@ -126,7 +126,7 @@ def test_leading_axes_of_any_argument_count():
 
 
 def test_growth_of_increments_has_leading_axes():
-    record = table_trajectory(Scheme("+20X", dwell=0.1), 0.5, 0.1, multiple_of=2)
+    record = turntable_trajectory(Scheme("+20X", dwell=0.1), 0.5, 0.1, multiple_of=2)
     free, rng = free_transition(0.5, 2.2), np.random.default_rng(13)
     angle, velocity = (rows * rng.uniform(0.5, 1.5, (4, 1, 1)) for rows in record.increments[1:])
     attitude = random_quaternions(4, len(angle[0]) // 2 + 1)
@@ -144,7 +144,7 @@ def test_growth_leaves_out_no_more_than_is_said():
 
     def left(size):
         scheme = Scheme("+60X", dwell=64 * size, rate=np.radians(60) / (256 * size))
-        record = table_trajectory(scheme, latitude, 0.5 * size, multiple_of=2)
+        record = turntable_trajectory(scheme, latitude, 0.5 * size, multiple_of=2)
         growth, duration = growth_along(record, latitude, FULL), 0.5 * size
         duration *= len(record.increments.angle)
         difference = np.abs(growth[:6] - numerical_growth(record, latitude, FULL))
@@ -158,7 +158,9 @@ def test_growth_leaves_out_no_more_than_is_said():
 def test_growth_in_a_pause_is_that_of_the_nonlinear_mechanisation(latitude):
     """As long as the steps of a passage: the Earth turns by W T = 7e-4."""
     duration = 10.0
-    record = table_trajectory(Scheme("", ("West", "Down", "South"), dwell=duration), latitude, 0.5)
+    record = turntable_trajectory(
+        Scheme("", ("West", "Down", "South"), dwell=duration), latitude, 0.5
+    )
     found = growth_along(record, latitude, FULL)[:6]
     difference = np.abs(found - numerical_growth(record, latitude, FULL))
     assert (difference < allowed(FULL, duration, 0)).all()
@@ -254,11 +256,13 @@ def test_process_noise_is_what_many_small_steps_add_up_to():
 def test_process_noise_has_the_spread_of_navigated_noise():
     """Noise put into increments and navigated, against the covariance; one step of 4 s."""
     noise, latitude, runs = ImuNoise(1e-5, 1e-2), np.radians(37.5), 4000
-    record = table_trajectory(Scheme("", dwell=4.0), latitude, 0.1)
+    record = turntable_trajectory(Scheme("", dwell=4.0), latitude, 0.1)
     rng = np.random.default_rng(11)
     imu_errors = ImuErrors(*(np.zeros((runs, *shape)) for shape in ((3,), (3, 3), (3,), (3, 3))))
     said = measure(record.increments, imu_errors, noise, rng)
-    found = last_of(navigate(at_rest(latitude, np.tile(record.attitude[0], (runs, 1))), said))
+    found = final_state(
+        navigate(stationary_state(latitude, np.tile(record.attitude[0], (runs, 1))), said)
+    )
     drawn = np.hstack([attitude_error(found.attitude, record.attitude[-1]), found.velocity])
     force = cross_matrix([0, 0, 4 * float(gravity(latitude))])
     covariance = process_noise(noise, force, np.asarray(4.0))

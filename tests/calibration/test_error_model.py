@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from driftlab.body_frames import BODY_FRAMES
 from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
-from driftlab.imu import ImuErrors, PriorDeviations, random_imu_errors
+from driftlab.imu import ImuErrors, PriorStandardDeviations, random_imu_errors
 from driftlab.quaternion import from_rotation_vector, multiply
 from driftlab.vectors import cross_matrix
 from support import EPS, order_of, random_quaternions
@@ -101,7 +101,7 @@ def test_state_of_the_unit_of_a_state_is_the_state(model, data):
 
 
 def test_unit_of_the_state_of_a_unit_is_the_unit():
-    imu_errors = random_imu_errors(PriorDeviations(), np.random.default_rng(0))
+    imu_errors = random_imu_errors(PriorStandardDeviations(), np.random.default_rng(0))
     for found, expected in zip(FULL.imu_errors(FULL.state(imu_errors)), imu_errors, strict=True):
         np.testing.assert_array_equal(found, expected)
 
@@ -118,7 +118,9 @@ def test_states_and_units_have_leading_axes(model):
         # Sums of a few numbers of up to 3.
         np.testing.assert_allclose(found[index], model.state(one), rtol=0, atol=16 * EPS)
     # Fields of a unit may have leading axes of their own.
-    mixed = imu_errors._replace(accelerometer_error=imu_errors.accelerometer_error[1, 2])
+    mixed = imu_errors._replace(
+        accelerometer_error_matrix=imu_errors.accelerometer_error_matrix[1, 2]
+    )
     middle = 12 + len(model.gyro_basis)
     expected = many.copy()
     expected[..., middle:] = many[1, 2, middle:]
@@ -165,7 +167,9 @@ def test_reductions_follow_each_other(model):
 @every_reduced_model
 def test_reduction_is_the_exact_change_of_axes_to_first_order(model):
     rng = np.random.default_rng(2)
-    sizes = PriorDeviations(gyro_bias=1.0, accelerometer_bias=1.0, scale=1.0, installation=1.0)
+    sizes = PriorStandardDeviations(
+        gyro_bias=1.0, accelerometer_bias=1.0, scale_factor=1.0, installation=1.0
+    )
     imu_errors, phi = random_imu_errors(sizes, rng), rng.normal(size=3)
 
     def error(size):
@@ -187,7 +191,7 @@ def test_attitude_of_a_reduction_may_have_any_length_but_must_be_one():
     np.testing.assert_allclose(
         model.reduction(-3 * ATTITUDE), model.reduction(ATTITUDE), rtol=0, atol=4 * EPS
     )
-    for function in (model.reduction, lambda q: model.covariance(PriorDeviations(), q)):
+    for function in (model.reduction, lambda q: model.covariance(PriorStandardDeviations(), q)):
         with pytest.raises(ValueError, match=r"^attitude: expected nonzero quaternions"):
             function(np.zeros(4))
         with pytest.raises(ValueError, match=r"^attitude: expected finite numbers, got 1 NaN"):
@@ -197,7 +201,9 @@ def test_attitude_of_a_reduction_may_have_any_length_but_must_be_one():
 # What is known before
 
 
-SPREAD = PriorDeviations(0.2, gyro_bias=0.3, accelerometer_bias=0.5, scale=0.7, installation=0.11)
+SPREAD = PriorStandardDeviations(
+    0.2, gyro_bias=0.3, accelerometer_bias=0.5, scale_factor=0.7, installation=0.11
+)
 
 
 def variances(model, prior=SPREAD, attitude=ATTITUDE):
@@ -225,9 +231,9 @@ def test_prior_of_a_choice_of_axes_in_closed_form(model):
     imu_errors, attitude, velocity = variances(model)
     for bias, size in ((imu_errors.gyro_bias, 0.3), (imu_errors.accelerometer_bias, 0.5)):
         np.testing.assert_allclose(bias, size**2, rtol=8 * EPS)
-    for matrix in (imu_errors.gyro_error, imu_errors.accelerometer_error):
+    for matrix in (imu_errors.gyro_error_matrix, imu_errors.accelerometer_error_matrix):
         np.testing.assert_allclose(np.diag(matrix), 0.7**2, rtol=8 * EPS)
-    own, other = imu_errors.gyro_error, imu_errors.accelerometer_error
+    own, other = imu_errors.gyro_error_matrix, imu_errors.accelerometer_error_matrix
     if "accelerometers" in model.frame:
         own, other = other, own
     off = ~np.eye(3, dtype=bool)
@@ -249,10 +255,10 @@ def test_prior_of_a_choice_of_axes_in_closed_form(model):
 @pytest.mark.parametrize(
     "prior",
     [
-        PriorDeviations(),
-        PriorDeviations(1e-9, 1.0, 0.0, 1.0, 1e-6),
-        PriorDeviations(0, 0, 0, 0, 1.0),
-        PriorDeviations(0, 0, 0, 0, 0),
+        PriorStandardDeviations(),
+        PriorStandardDeviations(1e-9, 1.0, 0.0, 1.0, 1e-6),
+        PriorStandardDeviations(0, 0, 0, 0, 1.0),
+        PriorStandardDeviations(0, 0, 0, 0, 0),
     ],
     ids=["usual", "far apart", "installation only", "all known"],
 )
@@ -266,7 +272,7 @@ def test_prior_is_symmetric_and_nowhere_negative(model, prior):
 @every_reduced_model
 def test_prior_is_the_covariance_of_random_units_in_the_models_axes(model):
     """Drawn, turned exactly, and counted: all of the covariance, not its diagonal only."""
-    prior, count = PriorDeviations(), 10000
+    prior, count = PriorStandardDeviations(), 10000
     rng = np.random.default_rng(8)
     imu_errors, rotation = imu_errors_in_frame(random_imu_errors(prior, rng, count), model.frame)
     drawn = model.state(imu_errors)

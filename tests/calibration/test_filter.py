@@ -8,17 +8,17 @@ import pytest
 from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.filter import _updates, calibrate
-from driftlab.calibration.simulation import TableTrial
-from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise, PriorDeviations, random_imu_errors
+from driftlab.calibration.simulation import TurntableTrial
+from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise, PriorStandardDeviations, random_imu_errors
 from driftlab.increments import Increments, measure
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
-from driftlab.motion.turntable import table_trajectory
+from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply
-from driftlab.strapdown import at_rest, last_of, navigate
+from driftlab.strapdown import final_state, navigate, stationary_state
 from support import EPS, replaced
 
 LATITUDE = float(np.radians(37.5))
-SPREAD = PriorDeviations()
+SPREAD = PriorStandardDeviations()
 every_frame = pytest.mark.parametrize("frame", ERROR_MODELS)
 
 
@@ -42,7 +42,7 @@ class Navigator:
 
     def __init__(self, model, latitude, interval=0.1, samples=30):
         self.model, self.latitude, self.interval, self.samples = model, latitude, interval, samples
-        self.record = table_trajectory(SHORT, latitude, interval, multiple_of=samples)
+        self.record = turntable_trajectory(SHORT, latitude, interval, multiple_of=samples)
         self.updates = len(self.record.increments.angle) // samples
 
     def start(self, states):
@@ -54,10 +54,10 @@ class Navigator:
     def errors(self, states):
         """Velocity errors (..., updates, 3), and the attitude error (..., 3) at the end."""
         measured = self.measured(states)
-        home = at_rest(self.latitude, self.start(states))
+        home = stationary_state(self.latitude, self.start(states))
         now, errors = home, []
         for first in range(0, measured.angle.shape[-2], self.samples):
-            here = last_of(navigate(now, measured.part(first, first + self.samples)))
+            here = final_state(navigate(now, measured.part(first, first + self.samples)))
             now = home._replace(velocity=here.velocity, attitude=here.attitude)
             errors.append(here.velocity)
         return np.stack(errors, axis=-2), attitude_error(now.attitude, self.record.attitude[-1])
@@ -82,13 +82,13 @@ def test_calibration_is_least_squares_with_the_nonlinear_navigation(frame, latit
     model = ERROR_MODELS[frame]
     navigator = Navigator(model, latitude)
     first = model.covariance(SPREAD, navigator.record.attitude[0])
-    deviations = np.sqrt(np.diag(first))
-    free = np.flatnonzero(deviations)
+    standard_deviations = np.sqrt(np.diag(first))
+    free = np.flatnonzero(standard_deviations)
     assert model.size - free.size == 3
     prior = first[np.ix_(free, free)]
     # A thousandth of the usual errors: what is of second order is a millionth.
     small = 1e-3
-    velocity, attitude = navigator.derivatives(small * deviations)
+    velocity, attitude = navigator.derivatives(small * standard_deviations)
     posterior = np.linalg.inv(
         np.linalg.inv(prior) + velocity.T @ velocity / TOLD.reference_velocity**2
     )
@@ -124,7 +124,7 @@ def test_calibration_is_least_squares_with_the_nonlinear_navigation(frame, latit
     np.testing.assert_allclose((state - expected) / (small * units), 0, atol=1e-2)
     # The bounds would mean nothing if there were little to find.
     assert (np.abs(expected) / (small * units)).max() > 100
-    assert (units[6:] / deviations[6:]).max() < 0.9
+    assert (units[6:] / standard_deviations[6:]).max() < 0.9
 
 
 # What a calibration finds without noise, and keeps
@@ -144,13 +144,13 @@ SMALL = ImuErrors(
 
 @pytest.fixture(scope="module")
 def record():
-    return table_trajectory(WHOLE, LATITUDE, 0.25, multiple_of=24)
+    return turntable_trajectory(WHOLE, LATITUDE, 0.25, multiple_of=24)
 
 
 @pytest.fixture(scope="module")
 def brief():
     """A record too short to find much, but the same filter."""
-    return table_trajectory(Scheme("+90X -90Y", dwell=60.0), LATITUDE, 0.25, multiple_of=24)
+    return turntable_trajectory(Scheme("+90X -90Y", dwell=60.0), LATITUDE, 0.25, multiple_of=24)
 
 
 def calibrated(
@@ -177,7 +177,7 @@ def nothing(record):
 
 def test_perfect_unit_has_no_errors_to_find(nothing):
     # Nothing but what steps of 2 degrees leave of rotating axes: 1/24 of their cube, a push.
-    np.testing.assert_allclose(nothing.state[-1] / nothing.deviations[-1], 0, atol=0.05)
+    np.testing.assert_allclose(nothing.state[-1] / nothing.standard_deviations[-1], 0, atol=0.05)
     np.testing.assert_allclose(nothing.nis, 0, atol=1e-3)
 
 
@@ -201,8 +201,8 @@ def test_true_unit_is_found_without_noise(record):
     usual = calibrated(record, NO_ERRORS, noise=assumed_noise)
     found = calibrated(record, SMALL, phi, noise=assumed_noise)
     error = np.abs(found.state[-1] - usual.state[-1] - true)[6:]
-    deviations = found.deviations[-1, 6:]
-    assert (error < size * deviations).all()
+    standard_deviations = found.standard_deviations[-1, 6:]
+    assert (error < size * standard_deviations).all()
 
 
 @pytest.fixture(scope="module")
@@ -222,17 +222,17 @@ def test_estimates_in_other_axes_differ_by_the_change_of_axes(in_all_axes, recor
     usual, other = in_all_axes["averaged"], in_all_axes[frame]
     translated, turn = imu_errors_in_frame(usual.imu_errors, frame)
     scaled = (other.model.state(translated) - other.state[:, -1])[:, 6:]
-    scaled = np.abs((scaled - scaled[2]) / other.deviations[2, -1, 6:]).max(axis=-1)
+    scaled = np.abs((scaled - scaled[2]) / other.standard_deviations[2, -1, 6:]).max(axis=-1)
     assert scaled[0] < 0.2
     # A quarter, and third order.
     assert scaled[0] / scaled[1] == pytest.approx(4, abs=0.4)
     # The attitude belongs to the axes. Their turn is of first order.
     attitude = attitude_of_axes(usual.attitude[:, -1], turn)
     phi = attitude_error(other.attitude[:, -1], attitude)
-    apart = np.abs(phi - phi[2]) / other.deviations[2, -1, :3]
+    apart = np.abs(phi - phi[2]) / other.standard_deviations[2, -1, :3]
     not_turned = attitude_error(other.attitude[0, -1], usual.attitude[0, -1])
     assert apart[0].max() < 0.2
-    assert (np.abs(not_turned) / other.deviations[2, -1, :3]).max() > 2
+    assert (np.abs(not_turned) / other.standard_deviations[2, -1, :3]).max() > 2
 
 
 def test_attitude_and_velocity_found_are_those_of_the_table(record):
@@ -242,12 +242,12 @@ def test_attitude_and_velocity_found_are_those_of_the_table(record):
     places = np.round(found.times / record.increments.interval).astype(int)
     errors = attitude_error(found.attitude, record.attitude[places])
     # What each is wrong by counts from what the algorithm makes of a right start.
-    errors = np.abs(errors[0] - errors[1]) / found.deviations[1, :, :3]
+    errors = np.abs(errors[0] - errors[1]) / found.standard_deviations[1, :, :3]
     # The error is sqrt(1 + 1 + 1/4) of its deviations at first, and never more; see above.
     assert (errors <= 1.5 + 1e-3).all()
     # A quarter of an hour shows the level; what it shows of the heading is less than was known.
-    assert (found.deviations[1, -1, :2] < 0.1 * SPREAD.attitude).all()
-    velocity = np.abs(found.velocity[0] - found.velocity[1]) / found.deviations[1, :, 3:6]
+    assert (found.standard_deviations[1, -1, :2] < 0.1 * SPREAD.attitude).all()
+    velocity = np.abs(found.velocity[0] - found.velocity[1]) / found.standard_deviations[1, :, 3:6]
     assert (velocity <= 1.5 + 1e-3).all()
 
 
@@ -259,11 +259,11 @@ def test_a_second_pass_over_small_errors_finds_what_the_first_found(brief):
     phi = 1e-6 * np.array([1.0, -2.0, 1.5])
     reference = 1e-3 * np.random.default_rng(6).standard_normal((34, 3))
     first = calibrated(brief, SMALL, phi, reference=reference)
-    again = calibrated(brief, SMALL, phi, reference=reference, about=first)
-    size = first.deviations[-1]
+    again = calibrated(brief, SMALL, phi, reference=reference, linearization_point=first)
+    size = first.standard_deviations[-1]
     # Some hundredths of the usual errors: their squares are thousandths.
     np.testing.assert_allclose((again.state[-1] - first.state[-1]) / size, 0, atol=2e-3)
-    np.testing.assert_allclose(again.deviations[-1], size, rtol=2e-3)
+    np.testing.assert_allclose(again.standard_deviations[-1], size, rtol=2e-3)
     phi = attitude_error(again.attitude[-1], first.attitude[-1])
     np.testing.assert_allclose(phi / size[:3], 0, atol=2e-3)
     np.testing.assert_allclose((again.velocity - first.velocity)[-1] / size[3:6], 0, atol=2e-3)
@@ -277,13 +277,15 @@ def test_a_second_pass_over_small_errors_finds_what_the_first_found(brief):
 @pytest.fixture(scope="module")
 def three_passes(record):
     """A unit bent by 400 arc seconds, and its half, in each choice of axes: three passes."""
-    drawn = random_imu_errors(PriorDeviations(installation=2e-3), np.random.default_rng(4))
+    drawn = random_imu_errors(PriorStandardDeviations(installation=2e-3), np.random.default_rng(4))
     units = ImuErrors(*(np.multiply.outer([1.0, 0.5], part) for part in drawn))
     found = {}
     for frame in ERROR_MODELS:
         row = [calibrated(record, units, frame=frame, check=False)]
         for _ in range(2):
-            row.append(calibrated(record, units, frame=frame, about=row[-1], check=False))
+            row.append(
+                calibrated(record, units, frame=frame, linearization_point=row[-1], check=False)
+            )
         found[frame] = row
     return found
 
@@ -295,7 +297,7 @@ def test_second_pass_takes_away_the_second_order_and_a_third_finds_nothing_more(
 ):
     """Half of the errors leave a quarter of what the second pass finds: that is second order."""
     first, second, third = (found.state[:, -1, 6:] for found in three_passes[frame])
-    size = three_passes[frame][0].deviations[:, -1, 6:]
+    size = three_passes[frame][0].standard_deviations[:, -1, 6:]
     changes = [np.abs((b - a) / size).max(axis=-1) for a, b in ((first, second), (second, third))]
     assert changes[0][0] > 1
     assert changes[0][0] / changes[0][1] == pytest.approx(4, abs=0.4)
@@ -309,7 +311,7 @@ def test_after_a_second_pass_the_choice_of_axes_does_not_matter(three_passes, fr
     for usual, other in zip(three_passes["averaged"], three_passes[frame], strict=True):
         translated, _ = imu_errors_in_frame(usual.imu_errors, frame)
         gap = (other.model.state(translated) - other.state[:, -1])[:, 6:]
-        apart.append(np.abs(gap / other.deviations[:, -1, 6:]).max(axis=-1))
+        apart.append(np.abs(gap / other.standard_deviations[:, -1, 6:]).max(axis=-1))
     # In standard deviations that the filter states.
     assert apart[0][0] > 0.5
     assert apart[1][0] < 0.03
@@ -319,15 +321,20 @@ def test_after_a_second_pass_the_choice_of_axes_does_not_matter(three_passes, fr
 def test_a_pass_about_another_model_or_other_runs_is_refused(brief):
     first = calibrated(brief, SMALL)
     words = (
-        r"^about: expected runs \(\) with the model 'upper triangle' of 27 states, got \(\) with"
+        r"^linearization_point: expected runs \(\) with the model 'upper triangle' of 27 states, "
+        r"got \(\) with"
     )
     with pytest.raises(ValueError, match=words):
-        calibrated(brief, SMALL, frame="upper triangle", about=first)
+        calibrated(brief, SMALL, frame="upper triangle", linearization_point=first)
     two = ImuErrors(*(np.stack([part, part]) for part in SMALL))
-    with pytest.raises(ValueError, match=r"^about: expected runs \(2,\) with .* got \(\) with"):
-        calibrated(brief, two, about=first)
-    with pytest.raises(ValueError, match=r"^about: expected a Calibration\(.*\), got 'first'"):
-        calibrated(brief, SMALL, about="first")
+    with pytest.raises(
+        ValueError, match=r"^linearization_point: expected runs \(2,\) with .* got \(\) with"
+    ):
+        calibrated(brief, two, linearization_point=first)
+    with pytest.raises(
+        ValueError, match=r"^linearization_point: expected a Calibration\(.*\), got 'first'"
+    ):
+        calibrated(brief, SMALL, linearization_point="first")
 
 
 # The history
@@ -342,7 +349,7 @@ def test_history_keeps_each_so_many_updates_and_the_last(brief):
     for keep, kept in ((10, [10, 20, 30, 34]), (1, range(1, 35)), (100, [34])):
         found = calibrated(brief, SMALL, keep=keep)
         rows = np.array(kept) - 1
-        for name in ("times", "state", "covariance", "attitude", "velocity", "deviations"):
+        for name in ("times", "state", "covariance", "attitude", "velocity", "standard_deviations"):
             # Other histories lie elsewhere in memory, so that in each update sums over the states
             # may be taken in another order.
             bound = updates * every.state.shape[-1] * EPS
@@ -356,7 +363,7 @@ def test_history_says_one_thing_in_several_ways(nothing):
     model = ERROR_MODELS["averaged"]
     assert nothing.model is model
     variances = np.diagonal(nothing.covariance, axis1=-2, axis2=-1)
-    np.testing.assert_allclose(nothing.deviations, np.sqrt(variances), rtol=4 * EPS)
+    np.testing.assert_allclose(nothing.standard_deviations, np.sqrt(variances), rtol=4 * EPS)
     for one, other in zip(nothing.imu_errors, model.imu_errors(nothing.state[-1]), strict=True):
         np.testing.assert_array_equal(one, other)
     # What was found of attitude and velocity is in them, not in the state.
@@ -377,8 +384,10 @@ def test_nis_grows_when_the_table_jumps(brief):
 
 def test_covariance_stays_symmetric_and_positive(nothing):
     np.testing.assert_array_equal(nothing.covariance, np.swapaxes(nothing.covariance, -1, -2))
-    deviations = nothing.deviations
-    correlation = nothing.covariance / (deviations[:, :, np.newaxis] * deviations[:, np.newaxis])
+    standard_deviations = nothing.standard_deviations
+    correlation = nothing.covariance / (
+        standard_deviations[:, :, np.newaxis] * standard_deviations[:, np.newaxis]
+    )
     assert np.linalg.eigvalsh(correlation)[:, 0].min() > 0
 
 
@@ -386,7 +395,7 @@ def test_deviations_of_the_sensor_errors_only_shrink(record, nothing):
     """No noise drives the errors of the sensors themselves."""
     model = nothing.model
     first = np.sqrt(np.diag(model.covariance(SPREAD, record.attitude[0])))
-    every = np.concatenate([first[np.newaxis], nothing.deviations])[:, 6:]
+    every = np.concatenate([first[np.newaxis], nothing.standard_deviations])[:, 6:]
     assert (np.diff(every, axis=0) <= 1e-12 * every[:-1]).all()
     assert (every[-1] < 0.2 * every[0]).all()
 
@@ -407,15 +416,15 @@ def test_each_of_several_runs_is_the_run_alone(brief):
         alone = calibrated(brief, imu_errors, phi[index], reference=reference[index[1]], keep=4)
         assert alone.state.shape == (len(alone.times), 27)
         # All runs are told that their attitudes are that of the first: wrong by 3e-4 or so.
-        deviations = alone.deviations
+        standard_deviations = alone.standard_deviations
         for one, many, units_of in (
-            (alone.state, together.state[index], deviations),
-            (alone.deviations, together.deviations[index], deviations),
-            (alone.velocity, together.velocity[index], deviations[:, 3:6]),
+            (alone.state, together.state[index], standard_deviations),
+            (alone.standard_deviations, together.standard_deviations[index], standard_deviations),
+            (alone.velocity, together.velocity[index], standard_deviations[:, 3:6]),
         ):
             np.testing.assert_allclose(one / units_of, many / units_of, rtol=0, atol=2e-3)
         apart = attitude_error(alone.attitude, together.attitude[index])
-        np.testing.assert_allclose(apart / deviations[:, :3], 0, atol=2e-3)
+        np.testing.assert_allclose(apart / standard_deviations[:, :3], 0, atol=2e-3)
         np.testing.assert_allclose(alone.nis, together.nis[index], rtol=0, atol=1e-2)
 
 
@@ -427,7 +436,7 @@ def test_equal_runs_have_equal_results(brief):
     for k in range(3):
         alone = calibrated(brief, ImuErrors(*(part[k] for part in units)))
         # Gravitation settles to 1e-7 m, the slowest of the runs decides when.
-        scaled = (alone.state - together.state[k]) / alone.deviations.clip(1e-12)
+        scaled = (alone.state - together.state[k]) / alone.standard_deviations.clip(1e-12)
         np.testing.assert_allclose(scaled, 0, atol=1e-6)
         np.testing.assert_allclose(alone.covariance, together.covariance[k], rtol=1e-6, atol=1e-22)
 
@@ -529,7 +538,7 @@ def with_nan(name):
         ("increments.interval", -0.25, "a positive number, got -0.25"),
         ("increments.interval", [0.25], r"one number, got shape \(1,\)"),
         ("model", "average", r"an ErrorModel or the name of one \(averaged, .*, got 'average'\.$"),
-        ("prior", 1e-4, r"a PriorDeviations, got 0\.0001\.$"),
+        ("prior", 1e-4, r"a PriorStandardDeviations, got 0\.0001\.$"),
         ("noise", None, r"an ImuNoise, got None\.$"),
         ("noise", EXACT, r"a deviation of the reference velocity above 0, got 0\.0 m/s\.$"),
         ("keep", 0, "a whole number of at least 1, got 0"),
@@ -545,7 +554,7 @@ def test_bad_arguments_are_refused_by_name(name, bad, words):
 
 def test_biases_that_lead_astray_are_told_how_to_do_without():
     """Degrees a second in the gyros, and updates so seldom that the first one turns the unit."""
-    true = table_trajectory(Scheme("+90X -90X +90Y", dwell=20.0), 0.9, 0.5)
+    true = turntable_trajectory(Scheme("+90X -90X +90Y", dwell=20.0), 0.9, 0.5)
     bias = np.radians([3.0, -2.0, 1.0])
     with pytest.raises(ValueError, match=r"^prior: .* got a gyro_bias of 0\.0524 .* mean at rest"):
         calibrate(
@@ -553,7 +562,7 @@ def test_biases_that_lead_astray_are_told_how_to_do_without():
             latitude=0.9,
             start=true.attitude[0],
             model="averaged",
-            prior=PriorDeviations(gyro_bias=np.radians(3.0)),
+            prior=PriorStandardDeviations(gyro_bias=np.radians(3.0)),
             noise=ImuNoise(),
             update_interval=20.0,
             check=False,
@@ -561,7 +570,7 @@ def test_biases_that_lead_astray_are_told_how_to_do_without():
 
 
 def test_what_was_found_can_be_written_in_other_units_without_changing_the_history():
-    table = TableTrial(sample_interval=0.5, update_interval=10.0, states=("lever arms",))
+    table = TurntableTrial(sample_interval=0.5, update_interval=10.0, states=("lever arms",))
     calibration = table.run(np.random.default_rng(1)).calibration
     history = calibration.state.copy()
     found, higher = calibration.imu_errors, calibration.model.higher_order_errors(history)

@@ -16,17 +16,17 @@ from driftlab.calibration.error_dynamics import (
 )
 from driftlab.calibration.error_model import ERROR_MODELS, FULL, _unpacked
 from driftlab.calibration.observability import unobservable_subspace
-from driftlab.calibration.simulation import TableTrial
+from driftlab.calibration.simulation import TurntableTrial
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
     TERMS,
     HigherOrderErrors,
     _rate_changes,
-    felt_besides,
+    higher_order_effects,
 )
-from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise, PriorDeviations
+from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
-from driftlab.motion.turntable import table_trajectory
+from driftlab.motion.turntable import turntable_trajectory
 from numerical_growth import numerical_growth
 from support import EPS
 
@@ -35,7 +35,7 @@ AVERAGED = ERROR_MODELS["averaged"]
 LARGER = AVERAGED.with_states(*GROUPS)
 NEW = slice(27, 49)
 LATITUDE = float(np.radians(37.5))
-QUICK = TableTrial(
+QUICK = TurntableTrial(
     replace(NINETEEN_POSITIONS, dwell=45.0), sample_interval=0.25, update_interval=3.0, keep=10**6
 )
 ARMS = NO_HIGHER_ORDER_ERRORS._replace(lever_arms=0.03 * np.eye(3))
@@ -61,7 +61,7 @@ def test_state_of_the_errors_of_a_state_is_the_state():
 
 
 def test_prior_deviations_are_those_that_are_told():
-    prior = PriorDeviations(lever_arm=2.0, time_skew=3.0, gyro_g_sensitivity=5.0)
+    prior = PriorStandardDeviations(lever_arm=2.0, time_skew=3.0, gyro_g_sensitivity=5.0)
     covariance = LARGER.covariance(prior, [0, 0, 0, 1])
     np.testing.assert_allclose(
         covariance[:27, :27], AVERAGED.covariance(prior, [0, 0, 0, 1]), rtol=1e-12, atol=1e-23
@@ -75,7 +75,7 @@ def test_effects_of_states_are_what_their_errors_feel():
     rng = np.random.default_rng(8)
     angle, velocity, change, state = (rng.standard_normal(size) for size in [(5, 3)] * 3 + [22])
     shares = _higher_order_effects(GROUPS, np.full(5, 0.1), angle, velocity, change)
-    felt = felt_besides(0.1, angle, velocity, _unpacked(state, GROUPS), change)
+    felt = higher_order_effects(0.1, angle, velocity, _unpacked(state, GROUPS), change)
     for rows, expected in zip(shares, felt, strict=True):
         np.testing.assert_allclose(rows @ state, expected, rtol=0, atol=1e-12)
 
@@ -83,7 +83,7 @@ def test_effects_of_states_are_what_their_errors_feel():
 def test_growth_is_that_of_the_nonlinear_navigation():
     """By differences of two navigations, each new state by itself."""
     turns = Scheme("+40X -30Z +50Y", ("North", "West", "Up"), dwell=0.1, rate=np.radians(30))
-    record = table_trajectory(turns, LATITUDE, 0.01, multiple_of=2)
+    record = turntable_trajectory(turns, LATITUDE, 0.01, multiple_of=2)
     increments = record.increments
     duration = 0.01 * len(increments.angle)
     found = transition_of_increments(
@@ -109,7 +109,7 @@ def test_growth_along_a_scheme_has_its_jumps():
     whole = np.eye(49)
     for matrix in linearize_along(scheme, LATITUDE, LARGER).transitions:
         whole = matrix @ whole
-    record = table_trajectory(scheme, LATITUDE, 0.01, multiple_of=2)
+    record = turntable_trajectory(scheme, LATITUDE, 0.01, multiple_of=2)
     increments, found = record.increments, np.eye(49)
     changes = _rate_changes(0.01, increments.angle)
     for begin in range(0, len(increments.angle), 100):
@@ -160,7 +160,7 @@ def test_a_term_with_the_effect_of_a_bias_grows_like_a_bias(monkeypatch):
 
 
 def test_states_that_are_known_to_be_zero_change_nothing():
-    surely = PriorDeviations(
+    surely = PriorStandardDeviations(
         lever_arm=0, time_skew=0, accelerometer_quadratic=0, gyro_g_sensitivity=0
     )
     trial = replace(QUICK, scheme=Scheme("+90X +90Y", dwell=9.0), prior=surely)
@@ -171,9 +171,9 @@ def test_states_that_are_known_to_be_zero_change_nothing():
             )
             for states, given in (((), None), (GROUPS, NO_HIGHER_ORDER_ERRORS))
         )
-    deviations = plain.calibration.deviations[-1]
+    standard_deviations = plain.calibration.standard_deviations[-1]
     gaps = more.calibration.state[-1, :27] - plain.calibration.state[-1]
-    assert np.abs(gaps[6:] / deviations[6:]).max() < 1e-6
+    assert np.abs(gaps[6:] / standard_deviations[6:]).max() < 1e-6
     np.testing.assert_allclose(more.calibration.nis, plain.calibration.nis, rtol=1e-6)
 
 
@@ -198,7 +198,7 @@ def test_a_filter_of_27_states_is_wrong_by_many_deviations_and_its_innovations_s
         QUICK,
         noise=ImuNoise(0.0, 0.0, 0.0),
         assumed_noise=ImuNoise(),
-        prior=PriorDeviations(attitude=1e-9),
+        prior=PriorStandardDeviations(attitude=1e-9),
     )
     biases = [AVERAGED.names.index(f"accelerometer bias {axis}") for axis in "xyz"]
     wrong, right = (
@@ -207,7 +207,7 @@ def test_a_filter_of_27_states_is_wrong_by_many_deviations_and_its_innovations_s
         )
         for states in ((), ("lever arms",))
     )
-    ratio = wrong.errors[-1, biases] / wrong.calibration.deviations[-1, biases]
+    ratio = wrong.errors[-1, biases] / wrong.calibration.standard_deviations[-1, biases]
     assert ratio.min() > 3  # as noise alone would make one of three in a hundred and twenty runs
     # Noise would make the mean one, and scatter it by so much: three of chi-square an update.
     nis = wrong.calibration.nis
@@ -218,17 +218,17 @@ def test_a_filter_of_27_states_is_wrong_by_many_deviations_and_its_innovations_s
     before = model.covariance(quiet.prior, quiet.scheme.start_attitude)
     truth = model.state(NO_ERRORS, ARMS)
     pulled = covariance @ np.linalg.lstsq(before, truth, rcond=1e-12)[0]
-    gap = (np.abs(right.errors[-1]) - np.abs(pulled)) / right.calibration.deviations[-1]
+    gap = (np.abs(right.errors[-1]) - np.abs(pulled)) / right.calibration.standard_deviations[-1]
     assert np.abs(gap[6:]).max() < 0.02
-    assert np.abs(right.errors[-1] / right.calibration.deviations[-1])[6:].max() < 1
+    assert np.abs(right.errors[-1] / right.calibration.standard_deviations[-1])[6:].max() < 1
 
 
 @pytest.mark.parametrize("scheme", [NINETEEN_POSITIONS, EIGHTEEN_ROTATIONS])
 def test_all_new_states_can_be_seen(scheme):
     assert not unobservable_subspace(linearize_along(scheme, LATITUDE, LARGER)).descriptions
     everything = FULL.with_states(*GROUPS)
-    told = unobservable_subspace(linearize_along(scheme, LATITUDE, everything)).descriptions
-    assert told == [
+    inputs = unobservable_subspace(linearize_along(scheme, LATITUDE, everything)).descriptions
+    assert inputs == [
         f"both triads turned together about {axis}, the attitude with them" for axis in "xyz"
     ]
 
@@ -237,7 +237,9 @@ def test_more_states_make_no_error_better_known():
     plain, more = (
         np.diag(
             covariance_analysis(
-                linearize_along(NINETEEN_POSITIONS, LATITUDE, model), ImuNoise(), PriorDeviations()
+                linearize_along(NINETEEN_POSITIONS, LATITUDE, model),
+                ImuNoise(),
+                PriorStandardDeviations(),
             )
         )
         for model in (AVERAGED, LARGER)
@@ -251,14 +253,14 @@ def test_a_second_pass_finds_what_the_first_found():
         replace(trial, passes=passes).run(np.random.default_rng(5), 3).calibration
         for passes in (1, 2)
     )
-    gap = (once.state - twice.state)[:, -1] / once.deviations[:, -1].clip(1e-30)
+    gap = (once.state - twice.state)[:, -1] / once.standard_deviations[:, -1].clip(1e-30)
     # Of second order in what the first pass corrected; ten other seeds gave up to 0.03.
     assert np.abs(gap[:, 6:]).max() < 0.06
 
 
 @pytest.mark.parametrize("name", ["arms", "", None, 3])
 def test_unknown_groups_are_refused(name):
-    for make in (lambda: AVERAGED.with_states(name), lambda: TableTrial(states=(name,))):
+    for make in (lambda: AVERAGED.with_states(name), lambda: TurntableTrial(states=(name,))):
         with pytest.raises(ValueError, match=r"^states: expected some of lever arms, .* got"):
             make()
 

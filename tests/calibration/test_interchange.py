@@ -9,16 +9,22 @@ import pytest
 from driftlab.calibration import ERROR_MODELS, from_json, to_json
 from driftlab.calibration.calibration_history import Calibration
 from driftlab.calibration.interchange import KeptCalibration
-from driftlab.calibration.poses import PoseCalibration
+from driftlab.calibration.multi_position import MultiPositionCalibration
 from driftlab.checks import UnusualWarning
 from driftlab.drift import PAIR_AXES, fit_turns
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS
-from driftlab.imu import TYPICAL_ERRORS, ImuErrors, ImuNoise, PriorDeviations, random_imu_errors
+from driftlab.imu import (
+    TYPICAL_ERRORS,
+    ImuErrors,
+    ImuNoise,
+    PriorStandardDeviations,
+    random_imu_errors,
+)
 
 RNG = np.random.default_rng(8)
 # Neither short nor exact in decimals.
-UNIT = random_imu_errors(PriorDeviations(), RNG)
-FLEET = random_imu_errors(PriorDeviations(), RNG, 4)
+UNIT = random_imu_errors(PriorStandardDeviations(), RNG)
+FLEET = random_imu_errors(PriorStandardDeviations(), RNG, 4)
 DEVIATIONS = ImuErrors(*(np.abs(array) / 7 for array in UNIT))
 FULL = KeptCalibration(UNIT, DEVIATIONS, None, ImuNoise())
 TURNS = fit_turns(RNG.normal(size=3), PAIR_AXES)
@@ -90,36 +96,38 @@ def test_end_of_a_filter_with_deviations_of_each_entry(states):
     each = model.imu_errors(np.swapaxes(root, -1, -2))  # the columns of the root, one by one
     for key, array in each._asdict().items():
         expected = np.sqrt((array**2).sum(axis=1))
-        np.testing.assert_allclose(getattr(found.deviations, key), expected, rtol=1e-12)
+        np.testing.assert_allclose(getattr(found.standard_deviations, key), expected, rtol=1e-12)
 
 
 @pytest.mark.parametrize("felt_axes", [3, 1])
 def test_poses_with_what_the_gyros_feel_of_force(felt_axes):
     sensitivity, none = 1e-5 * RNG.normal(size=(3, 3)), np.zeros((3, 3))
     sensitivity[felt_axes:] = 0.0
-    fit = PoseCalibration(
+    fit = MultiPositionCalibration(
         FLEET._replace(**{key: value[0] for key, value in FLEET._asdict().items()}),
         "averaged", (), none, DEVIATIONS, sensitivity, none, 9.8, none, none, none, {},
         (1.0, 1.0), 1.0, 1,
     )  # fmt: skip
     found = from_json(to_json(fit))
     assert_same(found.imu_errors, fit.imu_errors)
-    assert_same(found.deviations, DEVIATIONS)
-    felt = (np.eye(3) + fit.imu_errors.gyro_error) @ found.higher_order.gyro_g_sensitivity
+    assert_same(found.standard_deviations, DEVIATIONS)
+    felt = (np.eye(3) + fit.imu_errors.gyro_error_matrix) @ found.higher_order.gyro_g_sensitivity
     np.testing.assert_allclose(felt, sensitivity, rtol=1e-13, atol=1e-20)
 
 
-@pytest.mark.parametrize("scale", ["none", "each"])
-def test_turns(scale):
+@pytest.mark.parametrize("scale_factor", ["none", "each"])
+def test_turns(scale_factor):
     axes = np.repeat([*PAIR_AXES, [1, 1, 1], [1, 0, 0], [0, 1, 0], [0, 0, 1]], 2, axis=0)
     rates = np.tile([0.1, -0.1], 7)
-    fit = fit_turns(RNG.normal(size=14), axes, scale, table_rates=rates, gyro_bias=scale == "each")
+    fit = fit_turns(
+        RNG.normal(size=14), axes, scale_factor, table_rates=rates, gyro_bias=scale_factor == "each"
+    )
     assert_same(from_json(to_json(fit)), fit)
 
 
 def test_turns_of_several_triads_at_once():
     fit = fit_turns(RNG.normal(size=(2, 3)), PAIR_AXES)
-    assert fit.scale.shape == (2, 0)
+    assert fit.scale_factor.shape == (2, 0)
     assert_same(from_json(to_json(fit)), fit)
 
 
@@ -129,10 +137,10 @@ def test_one_set_of_deviations_may_serve_many_units():
 
 
 def test_a_triad_that_reads_double_is_warned_of_and_kept():
-    double = UNIT._replace(gyro_error=UNIT.gyro_error + np.eye(3))  # the other range
-    with pytest.warns(UnusualWarning, match="gyro_error: .* If so, subtract"):
+    double = UNIT._replace(gyro_error_matrix=UNIT.gyro_error_matrix + np.eye(3))  # the other range
+    with pytest.warns(UnusualWarning, match="gyro_error_matrix: .* If so, subtract"):
         text = to_json(double)
-    with pytest.warns(UnusualWarning, match="gyro_error: .* If so, subtract"):
+    with pytest.warns(UnusualWarning, match="gyro_error_matrix: .* If so, subtract"):
         assert_same(from_json(text), KeptCalibration(double))
 
 
@@ -164,8 +172,8 @@ SLIPS = {
         "gyro_bias: expected the unit rad/s, got 'deg/h'",
     ),
     "missing": (
-        with_change(lambda d: d["quantities"].pop("gyro_error")),
-        "quantities: expected gyro_bias, gyro_error, .*, got no gyro_error",
+        with_change(lambda d: d["quantities"].pop("gyro_error_matrix")),
+        "quantities: expected gyro_bias, gyro_error_matrix, .*, got no gyro_error_matrix",
     ),
     "unknown": (
         with_change(lambda d: d["quantities"].update(temperature={})),
@@ -185,7 +193,7 @@ SLIPS = {
     ),
     "half the deviations": (
         with_change(lambda d: d["quantities"]["gyro_bias"].update(deviation=[1, 2, 3])),
-        "gyro_error: expected a deviation, as others have one, got none",
+        "gyro_error_matrix: expected a deviation, as others have one, got none",
     ),
     "negative deviation": (
         with_field("gyro_bias", deviation=[-1, 0, 0]),
@@ -196,8 +204,8 @@ SLIPS = {
         r"gyro_bias: .* shapes \(\) and \(3,\)",
     ),
     "deviations of others": (
-        with_field("gyro_error", deviation=[1, 2, 3]),
-        r"gyro_error: expected shape \(\.\.\., 3, 3\)",
+        with_field("gyro_error_matrix", deviation=[1, 2, 3]),
+        r"gyro_error_matrix: expected shape \(\.\.\., 3, 3\)",
     ),
     "misspelt": (
         with_field("gyro_bias", deviaton=[1, 2, 3]),

@@ -122,24 +122,26 @@ AXES = ("lower triangle accelerometers", BELOW), ("accelerometers", ABOVE)
 
 
 def test_two_published_results_are_one_unit_in_two_body_axes():
-    assert largest(BELOW.gyro_error - ABOVE.gyro_error) > 0.02
+    assert largest(BELOW.gyro_error_matrix - ABOVE.gyro_error_matrix) > 0.02
     for start, axes, goal in ((BELOW, *AXES[1]), (ABOVE, *AXES[0])):
         turned, _ = imu_errors_in_frame(start, axes)
         # Six digits of the scales are 2.4e-6 of them, five of T 5e-7.
-        assert largest(turned.gyro_error - goal.gyro_error) < 4e-6
-        assert largest(turned.accelerometer_error - goal.accelerometer_error) < 4e-6
+        assert largest(turned.gyro_error_matrix - goal.gyro_error_matrix) < 4e-6
+        assert largest(turned.accelerometer_error_matrix - goal.accelerometer_error_matrix) < 4e-6
 
 
 def test_what_no_choice_of_axes_changes():
     """The rotation between the two triads, each without its bending; to first order the skews."""
     between = []
     for errors in (BELOW, ABOVE):
-        turns = map(body_frame_rotation, (errors.gyro_error, errors.accelerometer_error))
+        turns = map(
+            body_frame_rotation, (errors.gyro_error_matrix, errors.accelerometer_error_matrix)
+        )
         gyro, accelerometer = map(Rotation.from_matrix, turns)
         between.append((gyro * accelerometer.inv()).as_rotvec())
         skew = [
             np.subtract(k, k.T)[[2, 0, 1], [1, 2, 0]] / 2
-            for k in (errors.gyro_error, errors.accelerometer_error)
+            for k in (errors.gyro_error_matrix, errors.accelerometer_error_matrix)
         ]
         # What is left out is the square of 0.03.
         np.testing.assert_allclose(skew[0] - skew[1], between[-1], rtol=0, atol=1e-3)
@@ -163,11 +165,14 @@ def test_factory_sheet_is_imu_tks_result_within_its_rounding():
     )
     for axes, published in AXES:
         turned, _ = imu_errors_in_frame(sheet, axes)
-        assert largest(turned.accelerometer_error - published.accelerometer_error) < 0.010
-        assert largest(turned.gyro_error - published.gyro_error) < 0.015
+        assert (
+            largest(turned.accelerometer_error_matrix - published.accelerometer_error_matrix)
+            < 0.010
+        )
+        assert largest(turned.gyro_error_matrix - published.gyro_error_matrix) < 0.015
         assert largest(turned.accelerometer_bias - published.accelerometer_bias) < 0.02
         wrong, _ = imu_errors_in_frame(inverse, axes)
-        assert largest(wrong.gyro_error - published.gyro_error) > 0.05
+        assert largest(wrong.gyro_error_matrix - published.gyro_error_matrix) > 0.05
 
 
 # mad-lab-fau/imucal at 8716e4c, example_data/legacy_calibration_pre_2.0.json: counts of 16 bits,
@@ -192,7 +197,9 @@ FERRARIS = ImucalMatrices(
         [0.007078089693795729, 0.0079808097411764, 0.010123020998329641],
         [0.0016329203640659267, -0.0014926956472095258, 0.003860846398736716],
     ],
-    NominalReadings(gyro_scale=2000 * degree / 2**15, accelerometer_scale=16 * 9.81 / 2**15),
+    NominalReadings(
+        gyro_scale_factor=2000 * degree / 2**15, accelerometer_scale_factor=16 * 9.81 / 2**15
+    ),
 )
 # ethz-asl/kalibr, issue 189.
 ISSUE_189 = KalibrMatrices(
@@ -216,7 +223,7 @@ def test_imucals_example_is_the_diagonal_that_it_is_known_for():
         FERRARIS.imu_errors  # noqa: B018
     errors = replace(FERRARIS, K_ga=np.zeros((3, 3))).imu_errors
     known = [0.02790, -0.01758, -0.00177]
-    np.testing.assert_allclose(np.diag(errors.gyro_error), known, rtol=0, atol=6e-6)
+    np.testing.assert_allclose(np.diag(errors.gyro_error_matrix), known, rtol=0, atol=6e-6)
     back = ImucalMatrices.from_imu_errors(errors, FERRARIS.readings)
     for name in ("K_a", "R_a", "b_a", "K_g", "R_g", "b_g"):
         np.testing.assert_allclose(getattr(back, name), getattr(FERRARIS, name), rtol=1e-12)
@@ -234,7 +241,8 @@ def test_kalibrs_issue_189_goes_there_and_back():
 
 def test_bias_behind_the_matrix_is_another_one():
     errors = NO_ERRORS._replace(
-        gyro_error=np.array([[0, 0.1, 0], [0, 0, 0], [0, 0, 0]]), gyro_bias=np.array([0, 1.0, 0])
+        gyro_error_matrix=np.array([[0, 0.1, 0], [0, 0, 0], [0, 0, 0]]),
+        gyro_bias=np.array([0, 1.0, 0]),
     )
     np.testing.assert_allclose(PsinsMatrices.from_imu_errors(errors).eb, [-0.1, 1, 0], atol=1e-15)
     np.testing.assert_array_equal(ImuTkMatrices.from_imu_errors(errors).gyro_b, [0, 1, 0])
@@ -248,7 +256,10 @@ def test_realsense_writes_its_matrix_column_by_column():
     measured = readings_of(errors, np.zeros((20, 3)), true, NominalReadings())[1]
     solution = np.linalg.lstsq(np.column_stack([measured, -np.ones(20)]), true)[0].ravel()
     ros = RosMatrices(np.reshape(solution[:9], (3, 3)).T, solution[9:], np.zeros(3))
-    assert largest(ros.imu_errors.accelerometer_error - errors.accelerometer_error) < 1e-13
+    assert (
+        largest(ros.imu_errors.accelerometer_error_matrix - errors.accelerometer_error_matrix)
+        < 1e-13
+    )
     assert largest(ros.imu_errors.accelerometer_bias - errors.accelerometer_bias) < 1e-13
 
 
@@ -258,7 +269,7 @@ EYE, ZERO = np.eye(3), np.zeros(3)
 def test_gyros_that_imu_calib_knows_no_matrix_of_lose_their_bias_only():
     bias = np.array([0.01, -0.02, 0.03])
     found = RosMatrices(0.9 * EYE, ZERO, bias).imu_errors
-    np.testing.assert_array_equal(found.gyro_error, np.zeros((3, 3)))
+    np.testing.assert_array_equal(found.gyro_error_matrix, np.zeros((3, 3)))
     np.testing.assert_allclose(found.gyro_bias, bias, rtol=8 * EPS)  # 1/0.9 and back is rounded
 
 
@@ -289,10 +300,13 @@ SENTENCES = {
     ),
     "not kalibr's axes": (
         lambda: KalibrMatrices.from_imu_errors(units()),
-        "^accelerometer_error: expected zeros above the diagonal, as kalibr's body axes have it",
+        "^accelerometer_error_matrix: expected zeros above the diagonal, as kalibr's body axes ",
     ),
     "shape": (lambda: RosMatrices(EYE, ZERO, [1, 2]).imu_errors, "^gyro_bias: expected shape"),
-    "no scale": (lambda: NominalReadings(0.0).triads(NO_ERRORS), "^gyro_scale: expected numbers"),
+    "no scale": (
+        lambda: NominalReadings(0.0).triads(NO_ERRORS),
+        "^gyro_scale_factor: expected numbers",
+    ),
     "four scales": (
         lambda: NominalReadings(gyro_zero=np.ones(4)).triads(NO_ERRORS),
         r"^gyro_zero: expected shape \(\) or \(3,\), got shape \(4,\)",
@@ -313,9 +327,9 @@ def test_what_cannot_be_said_is_refused_with_a_sentence(case):
 
 def test_a_ros_calibration_leaves_the_gyros_axes_alone_unless_told():
     force = np.diag([1.25, 1.0, 0.9]), [0.25, 0.0, 0.1], [1e-3, 2e-3, 3e-3]
-    found, told = RosMatrices(*force).imu_errors, RosMatrices(*force, np.eye(3)).imu_errors
-    np.testing.assert_array_equal(found.gyro_error, np.zeros((3, 3)))
-    for one, other in zip(found, told, strict=True):
+    found, inputs = RosMatrices(*force).imu_errors, RosMatrices(*force, np.eye(3)).imu_errors
+    np.testing.assert_array_equal(found.gyro_error_matrix, np.zeros((3, 3)))
+    for one, other in zip(found, inputs, strict=True):
         np.testing.assert_array_equal(one, other)
 
 
@@ -324,7 +338,7 @@ def test_each_sensor_reads_a_fifth_to_five_times_its_nominal_value(sensor):
     for gain in (0.2, 5.0):
         matrix = np.diag(np.where(np.arange(3) == sensor, gain, 1.0))
         found = NominalReadings().imu_errors(matrix, ZERO, EYE, ZERO)
-        assert found.gyro_error[sensor, sensor] == gain - 1
+        assert found.gyro_error_matrix[sensor, sensor] == gain - 1
         for beyond in (np.nextafter(gain, gain**9), -gain):
             matrix[sensor, sensor] = beyond
             for name, args in (

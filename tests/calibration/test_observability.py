@@ -19,9 +19,9 @@ from driftlab.calibration.observability import (
     unobservable_subspace,
 )
 from driftlab.earth import gravity
-from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
+from driftlab.imu import ImuErrors, ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, SCHEMES, Scheme
-from driftlab.motion.turntable import table_trajectory
+from driftlab.motion.turntable import turntable_trajectory
 from driftlab.vectors import cross_matrix
 from numerical_growth import allowed, numerical_growth
 from support import EPS
@@ -37,7 +37,7 @@ every_frame = pytest.mark.parametrize("frame", ERROR_MODELS)
 
 def typical_sizes(way):
     """Standard deviations of the states, by which they are compared; 1 cm/s of velocity."""
-    sizes = np.sqrt(np.diag(way.model.covariance(PriorDeviations(), way.start)))
+    sizes = np.sqrt(np.diag(way.model.covariance(PriorStandardDeviations(), way.start)))
     sizes[3:6] = 0.01
     return sizes
 
@@ -157,7 +157,7 @@ def test_velocity_shows_a_unit_as_it_shows_its_reduction(scheme, frame):
 def test_eighteen_rotations_from_north_up_east_leave_three_more():
     """Axis z is never raised there, so its accelerations never show."""
     scheme = replace(EIGHTEEN_ROTATIONS, start=("North", "Up", "East"))
-    attitudes = Rotation.from_quat(table_trajectory(scheme, LATITUDE, 1.0).attitude)
+    attitudes = Rotation.from_quat(turntable_trajectory(scheme, LATITUDE, 1.0).attitude)
     np.testing.assert_allclose(attitudes.apply([0, 0, 1])[:, 2], 0, atol=64 * EPS)
     column = [f"accelerometer {name}" for name in ("scale z", "installation xz", "installation yz")]
     for frame in ("averaged", "upper triangle", "lower triangle"):
@@ -301,7 +301,7 @@ def test_steps_multiply_to_the_nonlinear_mechanisation(model, rotations, dwell):
     found = np.eye(model.size)
     for matrix in way.transitions:
         found = matrix @ found
-    record = table_trajectory(scheme, LATITUDE, 0.0125, multiple_of=2)
+    record = turntable_trajectory(scheme, LATITUDE, 0.0125, multiple_of=2)
     turned = sum(abs(angle) for _, angle in scheme.turns)
     # Each step leaves out less than one long interval would.
     bounds = allowed(model, float(way.durations.sum()), turned)
@@ -318,7 +318,7 @@ def test_steps_may_be_shorter(monkeypatch):
     for step in (error_dynamics._STEP, 2.0):
         monkeypatch.setattr(error_dynamics, "_STEP", step)
         way = linearize_along(NINETEEN_POSITIONS, LATITUDE, AVERAGED)
-        covariance = covariance_analysis(way, ImuNoise(), PriorDeviations())
+        covariance = covariance_analysis(way, ImuNoise(), PriorStandardDeviations())
         found.append((len(way.durations), np.sqrt(np.diag(covariance))[6:]))
     assert found[1][0] > 3 * found[0][0]
     np.testing.assert_allclose(found[1][1], found[0][1], rtol=0.04)
@@ -339,7 +339,7 @@ def test_expected_accuracy_is_that_of_least_squares(scheme):
     way, noise, prior = (
         linearize_along(scheme, LATITUDE, AVERAGED),
         ImuNoise(0, 0, 0.02),
-        PriorDeviations(),
+        PriorStandardDeviations(),
     )
     before = AVERAGED.covariance(prior, way.start)
     design = observability_matrix(way)
@@ -361,11 +361,14 @@ def test_choice_of_axes_does_not_touch_what_the_axes_do_not(scheme):
     found = []
     for model in (FULL, *ERROR_MODELS.values()):
         covariance = covariance_analysis(
-            linearize_along(scheme, LATITUDE, model), ImuNoise(), PriorDeviations()
+            linearize_along(scheme, LATITUDE, model), ImuNoise(), PriorStandardDeviations()
         )
         sizes = np.sqrt(np.diag(covariance))
         imu_errors = model.imu_errors(sizes)
-        scales = [np.diag(imu_errors.gyro_error), np.diag(imu_errors.accelerometer_error)]
+        scales = [
+            np.diag(imu_errors.gyro_error_matrix),
+            np.diag(imu_errors.accelerometer_error_matrix),
+        ]
         found.append(
             np.concatenate(
                 [sizes[3:6], imu_errors.gyro_bias, imu_errors.accelerometer_bias, *scales]
@@ -379,11 +382,13 @@ def test_choice_of_axes_does_not_touch_what_the_axes_do_not(scheme):
 def test_any_axes_end_with_the_reduction_of_the_same_covariance(frame):
     """Filters with other states are the same filter in other words."""
     model = ERROR_MODELS[frame]
-    every = covariance_analysis(linearize_along(SHORT, LATITUDE), ImuNoise(), PriorDeviations())
-    found = covariance_analysis(
-        linearize_along(SHORT, LATITUDE, model), ImuNoise(), PriorDeviations()
+    every = covariance_analysis(
+        linearize_along(SHORT, LATITUDE), ImuNoise(), PriorStandardDeviations()
     )
-    end = table_trajectory(SHORT, LATITUDE, 0.5).attitude[-1]
+    found = covariance_analysis(
+        linearize_along(SHORT, LATITUDE, model), ImuNoise(), PriorStandardDeviations()
+    )
+    end = turntable_trajectory(SHORT, LATITUDE, 0.5).attitude[-1]
     reduction = model.reduction(end)
     expected = reduction @ every @ reduction.T
     sizes = np.sqrt(np.diag(expected))
@@ -393,7 +398,7 @@ def test_any_axes_end_with_the_reduction_of_the_same_covariance(frame):
 
 
 def test_noise_of_the_sensors_makes_it_worse():
-    way, prior = linearize_along(SHORT, LATITUDE, AVERAGED), PriorDeviations()
+    way, prior = linearize_along(SHORT, LATITUDE, AVERAGED), PriorStandardDeviations()
     plain = covariance_analysis(way, ImuNoise(0, 0), prior)
     for noise in (ImuNoise(1e-5, 0), ImuNoise(0, 1e-3), ImuNoise(0, 0, 0.02)):
         more = covariance_analysis(way, noise, prior) - plain

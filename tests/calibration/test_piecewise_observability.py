@@ -18,7 +18,7 @@ from driftlab.calibration.observability import (
     unobservable_subspace,
 )
 from driftlab.earth import earth_rate, gravity
-from driftlab.imu import PriorDeviations
+from driftlab.imu import PriorStandardDeviations
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, SCHEMES, Scheme
 from support import EPS
 
@@ -35,7 +35,7 @@ every_model = pytest.mark.parametrize("model", [FULL, AVERAGED], ids=["30 states
 
 def scaled(model, start):
     """Typical sizes of the states; 1 cm/s of velocity."""
-    sizes = np.sqrt(np.diag(model.covariance(PriorDeviations(), start)))
+    sizes = np.sqrt(np.diag(model.covariance(PriorStandardDeviations(), start)))
     sizes[3:6] = 0.01
     return sizes
 

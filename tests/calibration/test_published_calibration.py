@@ -9,12 +9,12 @@ import pytest
 from scipy.constants import arcsecond, degree, hour, micro
 from scipy.spatial.transform import Rotation
 
-from driftlab.calibration.calibration_history import InconsistentWarning
+from driftlab.calibration.calibration_history import InconsistentCalibrationWarning
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.filter import calibrate
 from driftlab.diagnosis import diagnose
 from driftlab.higher_order_errors import HigherOrderErrors
-from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
+from driftlab.imu import ImuErrors, ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments
 from support import recording_or_skip
 
@@ -47,7 +47,7 @@ def passes():
     recording = recording_or_skip("nineteen-positions")
     count = 100 * (len(recording.gyro) // 100)  # whole seconds
 
-    def found(groups, about=None):
+    def found(groups, linearization_point=None):
         model = MODEL.with_states(*groups)
         one = calibrate(
             Increments(recording.interval, recording.gyro[:count], recording.accelerometer[:count]),
@@ -55,18 +55,18 @@ def passes():
             latitude=recording.latitude,
             start=START,
             model=model,
-            prior=PriorDeviations(lever_arm=0.1, attitude=1e-3),
+            prior=PriorStandardDeviations(lever_arm=0.1, attitude=1e-3),
             noise=ImuNoise(1e-4 * degree / 60, micro * G0, 1e-3),
             keep=10**6,
-            about=about,
+            linearization_point=linearization_point,
         )
         return one, model.state(TRUE, TRUE_BESIDES) - one.state[-1]
 
     first, errors = found(GROUPS)
-    with pytest.warns(InconsistentWarning):
+    with pytest.warns(InconsistentCalibrationWarning):
         doubted, without = found(())
     assert "lever arms" in str(diagnose(doubted))
-    return without, errors, found(GROUPS, about=first)[1]
+    return without, errors, found(GROUPS, linearization_point=first)[1]
 
 
 def test_constants_are_found_without_being_told_arms_and_skew(passes):

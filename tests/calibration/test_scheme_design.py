@@ -12,7 +12,7 @@ from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import FULL
 from driftlab.calibration.scheme_design import CRITERIA, DesignTask, _neighbours, design_scheme
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, SCHEMES, Scheme
 from driftlab.motion.turntable import segments
 from driftlab.quaternion import rotate
@@ -22,7 +22,7 @@ DRAWN = SMALL.random_schemes(np.random.default_rng(3), 12)
 
 
 def in_time(scheme, task):
-    return replace(scheme, rate=task.rate).lasting(task.duration)
+    return replace(scheme, rate=task.rate).with_duration(task.duration)
 
 
 def analysed(scheme, task):
@@ -257,10 +257,10 @@ def test_other_kinds_are_refused():
 
 def test_states_that_are_known_before_leave_the_criterion():
     for criterion in ("worst", "mean", "volume"):
-        task = DesignTask(criterion, prior=PriorDeviations(scale=0.0))
+        task = DesignTask(criterion, prior=PriorStandardDeviations(scale_factor=0.0))
         assert 0 < task.value(NINETEEN_POSITIONS) < 1
     with pytest.raises(ValueError, match=r"^prior: expected some sensor error"):
-        DesignTask(prior=PriorDeviations(0, 0, 0, 0, 0))
+        DesignTask(prior=PriorStandardDeviations(0, 0, 0, 0, 0))
 
 
 @pytest.mark.parametrize(

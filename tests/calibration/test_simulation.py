@@ -17,11 +17,17 @@ from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.filter import Calibration
 from driftlab.calibration.observability import UnobservableWarning
-from driftlab.calibration.simulation import TableTrial, Trial, _estimation_errors
+from driftlab.calibration.simulation import Trial, TurntableTrial, _estimation_errors
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS
-from driftlab.imu import TYPICAL_ERRORS, ImuErrors, ImuNoise, PriorDeviations, random_imu_errors
+from driftlab.imu import (
+    TYPICAL_ERRORS,
+    ImuErrors,
+    ImuNoise,
+    PriorStandardDeviations,
+    random_imu_errors,
+)
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
-from driftlab.motion.turntable import table_trajectory
+from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotate
 from driftlab.vectors import cross_matrix
 from support import EPS, matrices, quaternions, vectors
@@ -32,7 +38,7 @@ SLOW = Scheme(
     NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=45.0, rate=np.radians(4)
 )
 """Slower, so that samples of a quarter of a second are not wider than a degree."""
-TRIAL = TableTrial(SLOW, sample_interval=0.25, update_interval=3.0)
+TRIAL = TurntableTrial(SLOW, sample_interval=0.25, update_interval=3.0)
 BRIEF = replace(
     TRIAL, scheme=Scheme(SLOW.rotations, SLOW.start, dwell=6.0), sample_interval=0.5, keep=20
 )
@@ -79,7 +85,7 @@ def test_single_runs_scatter_like_chi_square(many):
 
 
 def test_each_error_scatters_as_its_deviation_says(many):
-    scaled = many.errors[:, -1] / many.calibration.deviations[:, -1]
+    scaled = many.errors[:, -1] / many.calibration.standard_deviations[:, -1]
     # Bonferroni: one in a hundred for all 27 states together.
     low, high = between(0.01 / 27, 100)
     squares = (scaled**2).sum(axis=0)
@@ -131,7 +137,7 @@ def test_noise_of_the_sensors_is_as_large_as_the_filter_says():
 
 def test_units_are_of_the_kind_that_the_filter_is_told(many):
     prior = TRIAL.prior
-    sizes = np.where(np.eye(3), prior.scale, prior.installation)
+    sizes = np.where(np.eye(3), prior.scale_factor, prior.installation)
     squares = [
         ((part / size) ** 2).sum()
         for part, size in zip(
@@ -153,7 +159,7 @@ def test_trial_is_consistent_for_one_unit_again_and_again():
         np.testing.assert_array_equal(part, np.broadcast_to(true, (50, *true.shape)))
     low, high = between(0.05, 27 * 50)
     assert low < trial.nees[:, -1].sum() < high
-    errors = trial.errors[:, -1] / trial.calibration.deviations[:, -1]
+    errors = trial.errors[:, -1] / trial.calibration.standard_deviations[:, -1]
     scatter = ((errors - errors.mean(axis=0)) ** 2).sum(axis=0)
     low, high = between(0.01 / 27, 49)
     assert ((low < scatter) & (scatter < high)).all()
@@ -164,7 +170,9 @@ def test_trial_is_consistent_for_one_unit_again_and_again():
 )
 def test_trial_is_consistent_elsewhere_with_other_axes_and_rotations(frame, latitude, seed):
     scheme = Scheme(EIGHTEEN_ROTATIONS.rotations, dwell=30.0, rate=np.radians(5))
-    prior = PriorDeviations(installation=10 * arcsecond)  # triangles are soon of second order
+    prior = PriorStandardDeviations(
+        installation=10 * arcsecond
+    )  # triangles are soon of second order
     trial = replace(
         TRIAL, scheme=scheme, latitude=latitude, frame=frame, prior=prior, update_interval=6.0
     ).run(np.random.default_rng(seed), 50)
@@ -178,7 +186,7 @@ def test_trial_is_consistent_elsewhere_with_other_axes_and_rotations(frame, lati
 @pytest.mark.parametrize("frame", ["averaged", "lower triangle"])
 def test_second_pass_is_consistent_however_bent_the_units_are(frame):
     """Units bent by 400 arc seconds: one pass is far too sure of itself, two are not."""
-    prior = PriorDeviations(installation=400 * arcsecond)
+    prior = PriorStandardDeviations(installation=400 * arcsecond)
     trial = replace(TRIAL, frame=frame, prior=prior, update_interval=6.0)
     once, twice = (
         replace(trial, passes=passes).run(np.random.default_rng(3), 40) for passes in (1, 2)
@@ -204,7 +212,7 @@ def test_deviations_are_those_expected_without_any_data(frame):
     expected = covariance_analysis(
         linearize_along(trial.scheme, trial.latitude, found.model), trial.noise, trial.prior, 3.0
     )
-    ratios = found.deviations[-1] / np.sqrt(np.diag(expected))
+    ratios = found.standard_deviations[-1] / np.sqrt(np.diag(expected))
     # The two end their last step at different times, which attitude and velocity notice.
     np.testing.assert_allclose(ratios[6:], 1, rtol=0, atol=0.03)
 
@@ -212,7 +220,7 @@ def test_deviations_are_those_expected_without_any_data(frame):
 @pytest.fixture(scope="module")
 def badly_installed():
     """Squared errors of the same eighty units, 300 arc seconds wrong, in three sets of axes."""
-    prior = PriorDeviations(installation=300 * arcsecond)
+    prior = PriorStandardDeviations(installation=300 * arcsecond)
     trial = replace(TRIAL, prior=prior, sample_interval=0.5, update_interval=6.0)
     return {
         frame: replace(trial, frame=frame).run(np.random.default_rng(0), 80).nees[:, -1]
@@ -251,8 +259,8 @@ def test_unit_in_other_axes_says_the_same(gyro, accelerometer, frame, rate):
     np.testing.assert_allclose(turn @ turn.T, np.eye(3), rtol=0, atol=16 * EPS)
     assert np.linalg.det(turn) > 0
     for before, after in (
-        (gyro, turned.gyro_error),
-        (accelerometer, turned.accelerometer_error),
+        (gyro, turned.gyro_error_matrix),
+        (accelerometer, turned.accelerometer_error_matrix),
     ):
         # (I + K) w, with w in either axes.
         np.testing.assert_allclose(
@@ -261,7 +269,9 @@ def test_unit_in_other_axes_says_the_same(gyro, accelerometer, frame, rate):
     # A bias is the sensor's own.
     for name in ("gyro_bias", "accelerometer_bias"):
         np.testing.assert_array_equal(getattr(turned, name), getattr(imu_errors, name))
-    chosen = turned.accelerometer_error if "accelerometers" in frame else turned.gyro_error
+    chosen = (
+        turned.accelerometer_error_matrix if "accelerometers" in frame else turned.gyro_error_matrix
+    )
     left_out = {
         "averaged": chosen - chosen.T,
         "averaged accelerometers": chosen - chosen.T,
@@ -279,17 +289,19 @@ def test_unit_in_other_axes_says_the_same(gyro, accelerometer, frame, rate):
 def test_unit_in_its_own_axes_stays():
     for imu_errors in (
         TYPICAL_ERRORS,
-        random_imu_errors(PriorDeviations(), np.random.default_rng(0), 4),
+        random_imu_errors(PriorStandardDeviations(), np.random.default_rng(0), 4),
     ):
         same, turn = imu_errors_in_frame(imu_errors, None)
-        for own, told in zip(same, imu_errors, strict=True):
-            np.testing.assert_array_equal(own, told)
-            assert not np.shares_memory(own, told)
-        np.testing.assert_array_equal(turn, np.broadcast_to(np.eye(3), imu_errors.gyro_error.shape))
+        for own, inputs in zip(same, imu_errors, strict=True):
+            np.testing.assert_array_equal(own, inputs)
+            assert not np.shares_memory(own, inputs)
+        np.testing.assert_array_equal(
+            turn, np.broadcast_to(np.eye(3), imu_errors.gyro_error_matrix.shape)
+        )
 
 
 def test_units_are_turned_one_by_one():
-    units = random_imu_errors(PriorDeviations(), np.random.default_rng(1), 3)
+    units = random_imu_errors(PriorStandardDeviations(), np.random.default_rng(1), 3)
     turned, turn = imu_errors_in_frame(units, "upper triangle")
     for k in range(3):
         one, its = imu_errors_in_frame(ImuErrors(*(part[k] for part in units)), "upper triangle")
@@ -299,8 +311,10 @@ def test_units_are_turned_one_by_one():
 
 
 def test_axes_of_a_triad_that_is_flat_are_refused():
-    flat = TYPICAL_ERRORS._replace(gyro_error=np.diag([0.0, 0.0, -1.0]))
-    with pytest.raises(ValueError, match=r"^gyro_error: expected a right-handed triad I \+ K"):
+    flat = TYPICAL_ERRORS._replace(gyro_error_matrix=np.diag([0.0, 0.0, -1.0]))
+    with pytest.raises(
+        ValueError, match=r"^gyro_error_matrix: expected a right-handed triad I \+ K"
+    ):
         imu_errors_in_frame(flat, "averaged")
     with pytest.raises(ValueError, match=r"^frame: expected one of averaged, .*, got 'mine'\.$"):
         imu_errors_in_frame(TYPICAL_ERRORS, "mine")
@@ -350,7 +364,7 @@ def test_small_attitude_error_is_that_of_the_first_order():
 def test_errors_of_a_perfect_calibration_are_zero(frame):
     """And each error that is put in comes out with its sign: true minus found for sensors."""
     model, rng = ERROR_MODELS[frame], np.random.default_rng(4)
-    units = random_imu_errors(PriorDeviations(), rng, 2)
+    units = random_imu_errors(PriorStandardDeviations(), rng, 2)
     true, turn = imu_errors_in_frame(units, frame)
     attitude = Rotation.from_quat(rng.normal(size=(5, 4))).as_quat()
     state = np.repeat(model.state(true)[:, np.newaxis], 5, axis=1)
@@ -412,14 +426,14 @@ def test_history_of_a_trial_has_times_and_shapes():
         assert trial.errors.shape == (*lead, 5, 27)
         assert trial.nees.shape == (*lead, 5)
         assert trial.calibration.nis.shape == (*lead, updates)
-        assert trial.imu_errors.gyro_error.shape == (*lead, 3, 3)
+        assert trial.imu_errors.gyro_error_matrix.shape == (*lead, 3, 3)
         np.testing.assert_allclose(trial.calibration.times, [60, 120, 180, 240, 276], rtol=4 * EPS)
         assert trial.calibration.model is ERROR_MODELS["averaged"]
 
 
 def test_errors_count_against_the_attitude_at_the_times_of_the_history():
     trial = replace(BRIEF, keep=1).run(np.random.default_rng(5))
-    record = table_trajectory(BRIEF.scheme, BRIEF.latitude, 0.5, multiple_of=6)
+    record = turntable_trajectory(BRIEF.scheme, BRIEF.latitude, 0.5, multiple_of=6)
     places = np.round(trial.calibration.times / 0.5).astype(int)
     np.testing.assert_array_equal(places, np.arange(6, len(record.attitude), 6))
     np.testing.assert_array_equal(
@@ -441,7 +455,7 @@ def test_unit_may_come_as_lists():
         BRIEF.run(np.random.default_rng(1), 2, imu_errors) for imu_errors in (TYPICAL_ERRORS, lists)
     )
     np.testing.assert_array_equal(usual.errors, other.errors)
-    assert (usual.imu_errors.gyro_error == TYPICAL_ERRORS.gyro_error).all()
+    assert (usual.imu_errors.gyro_error_matrix == TYPICAL_ERRORS.gyro_error_matrix).all()
 
 
 def test_runs_are_drawn_from_the_generator_alone():
@@ -460,23 +474,23 @@ def test_settings_reach_the_filter_and_the_table():
         "scheme": replace(quick.scheme, dwell=9.0),
         "latitude": 0.3,
         "frame": "lower triangle",
-        "prior": PriorDeviations(scale=5e-5),
+        "prior": PriorStandardDeviations(scale_factor=5e-5),
         "noise": ImuNoise(reference_velocity=0.02),
         "sample_interval": 0.25,
         "update_interval": 1.0,
         "keep": 7,
     }.items():
         other = replace(quick, **{name: value}).run(np.random.default_rng(1)).calibration
-        assert not np.array_equal(other.deviations, usual.deviations), name
+        assert not np.array_equal(other.standard_deviations, usual.standard_deviations), name
 
 
 def test_attitude_of_the_table_does_not_tell_that_of_the_axes():
     """Their misalignment is half the difference of two errors of installation."""
-    prior = PriorDeviations(attitude=0.0)
+    prior = PriorStandardDeviations(attitude=0.0)
     trial = replace(BRIEF, prior=prior, keep=1).run(np.random.default_rng(1))
     expected = prior.installation / np.sqrt(2)
     # 3 s of random walk and of an unknown bias are 0.6 arc seconds beside 28.
-    np.testing.assert_allclose(trial.calibration.deviations[0, :3], expected, rtol=2e-3)
+    np.testing.assert_allclose(trial.calibration.standard_deviations[0, :3], expected, rtol=2e-3)
     assert (np.abs(trial.errors[0, :3]) < 4 * expected).all()
 
 
@@ -515,7 +529,7 @@ def test_scheme_that_leaves_errors_unobservable_is_warned_of_by_name():
         ("update_interval", 0.05, r"an even number of samples, got 1 of 0\.05 s\.$"),
         ("update_interval", 0.15, r"an even number of samples, got 3 of 0\.05 s\.$"),
         ("scheme", "+90X", r"a Scheme such as .* or the name of one .*, got '\+90X'\.$"),
-        ("prior", None, r"a PriorDeviations, got None\.$"),
+        ("prior", None, r"a PriorStandardDeviations, got None\.$"),
         ("noise", 3, r"an ImuNoise, got 3\.$"),
         ("assumed_noise", 3, r"an ImuNoise, got 3\.$"),
         ("noise", ImuNoise(reference_velocity=0.0), "a deviation of the reference velocity above"),
@@ -529,15 +543,15 @@ def test_scheme_that_leaves_errors_unobservable_is_warned_of_by_name():
 )
 def test_bad_settings_are_refused_by_name(name, bad, words):
     with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
-        TableTrial(**{name: bad})
+        TurntableTrial(**{name: bad})
 
 
 @pytest.mark.parametrize(
     ("sample", "update"), [(0.05, 0.1), (0.1, 0.6), (0.1, 1.0), (1 / 3, 2.0), (0.7, 4.2)]
 )
 def test_even_numbers_of_samples_may_be_rounded(sample, update):
-    trial = TableTrial(sample_interval=sample, update_interval=update)
-    assert trial == TableTrial(sample_interval=sample, update_interval=update)
+    trial = TurntableTrial(sample_interval=sample, update_interval=update)
+    assert trial == TurntableTrial(sample_interval=sample, update_interval=update)
 
 
 def test_settings_cannot_be_changed():

@@ -7,10 +7,10 @@ import pytest
 from scipy.linalg import expm
 
 from driftlab.calibration.static_error_growth import (
-    STATIC_CAUSES,
-    schuler_position,
-    static_causes,
+    STATIC_ERROR_SOURCES,
+    schuler_position_error,
     static_error_modes,
+    static_error_sources,
     static_errors,
 )
 from driftlab.calibration.static_navigation import navigate_static
@@ -72,9 +72,9 @@ def test_curves_are_those_of_the_navigation_for_a_third_of_a_day(latitude):
     none = np.zeros((len(causes), 3, 3))
     units = NO_ERRORS._replace(
         gyro_bias=causes[:, 7:10],
-        gyro_error=none,
+        gyro_error_matrix=none,
         accelerometer_bias=np.pad(causes[:, 10:], ((0, 0), (0, 1))),
-        accelerometer_error=none,
+        accelerometer_error_matrix=none,
     )
     starts = from_rotation_vector(-causes[:, :3])
     run = navigate_static(
@@ -93,7 +93,9 @@ def test_curves_are_those_of_the_navigation_for_a_third_of_a_day(latitude):
         gap = np.abs(whole[1:] - whole[0] - expected).max(axis=(1, 2))
         assert (gap < bound * np.abs(expected).max(axis=(1, 2))).all()
     # The unit's own causes say the same.
-    same = static_causes(units, NO_ERRORS, LEVEL, start=starts, reference=LEVEL, latitude=latitude)
+    same = static_error_sources(
+        units, NO_ERRORS, LEVEL, start=starts, reference=LEVEL, latitude=latitude
+    )
     np.testing.assert_allclose(same, causes, rtol=0, atol=1e-12)
 
 
@@ -113,7 +115,7 @@ def test_causes_of_a_bent_unit_give_its_curves():
         interval=1.0,
         **setting,
     )
-    causes = static_causes(TYPICAL_ERRORS, found, standing, latitude=latitude, **setting)
+    causes = static_error_sources(TYPICAL_ERRORS, found, standing, latitude=latitude, **setting)
     curves = static_errors(run.times, latitude, causes)
     for name in ("attitude", "velocity", "position"):
         expected = getattr(curves, name)
@@ -124,9 +126,11 @@ def test_causes_of_a_bent_unit_give_its_curves():
 def test_textbook_curves_hold_for_the_first_swing(latitude):
     """They neglect U t, a tenth in 23 minutes of it; a quarter of an hour is used here."""
     times = np.linspace(60.0, 900.0, 15)
-    causes = np.diag(SIZES)[[i for i, name in enumerate(STATIC_CAUSES) if name != "position North"]]
+    causes = np.diag(SIZES)[
+        [i for i, name in enumerate(STATIC_ERROR_SOURCES) if name != "position North"]
+    ]
     exact = static_errors(times, latitude, causes).position
-    gap = np.abs(schuler_position(times, latitude, causes) - exact).max(axis=(1, 2))
+    gap = np.abs(schuler_position_error(times, latitude, causes) - exact).max(axis=(1, 2))
     main = np.abs(exact).max(axis=(1, 2))
     bound = 1.5 * EARTH_RATE * times[-1]
     assert (gap < bound * main).all()
@@ -156,9 +160,12 @@ def test_only_a_bias_along_the_earths_axis_grows_without_end():
         (lambda: static_error_modes([0.1]), "latitude: expected one number, got shape (1,)"),
         (lambda: static_errors(3.0, 0.1, np.zeros(12)), "times: expected shape (k,), got shape ()"),
         (lambda: static_errors([3.0], 0.1, np.zeros(7)), "causes: expected shape (..., 12)"),
-        (lambda: schuler_position([3.0], 0.1, [np.nan] * 12), "causes: expected finite numbers"),
         (
-            lambda: static_causes(
+            lambda: schuler_position_error([3.0], 0.1, [np.nan] * 12),
+            "causes: expected finite numbers",
+        ),
+        (
+            lambda: static_error_sources(
                 NO_ERRORS, NO_ERRORS, LEVEL, start=LEVEL, reference=np.zeros(4), latitude=0.1
             ),
             "reference: expected nonzero quaternions",

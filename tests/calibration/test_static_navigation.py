@@ -18,7 +18,7 @@ from driftlab.imu import (
     TYPICAL_ERRORS,
     ImuErrors,
     ImuNoise,
-    PriorDeviations,
+    PriorStandardDeviations,
     random_imu_errors,
 )
 from driftlab.quaternion import from_rotation_vector, multiply
@@ -78,7 +78,7 @@ def test_perfect_unit_shows_nothing():
 def test_unit_that_is_known_shows_nothing_in_any_axes(frame):
     """If the computer begins with the attitude of the axes in which the errors were found."""
     imu_errors = random_imu_errors(
-        PriorDeviations(installation=1e-3, scale=1e-3), np.random.default_rng(1), 3
+        PriorStandardDeviations(installation=1e-3, scale_factor=1e-3), np.random.default_rng(1), 3
     )
     found, turn = imu_errors_in_frame(imu_errors, frame)
     attitude = attitude_of_axes(STANDING, turn)
@@ -92,7 +92,7 @@ def test_start_in_the_axes_of_the_table_is_wrong_by_the_misalignment():
     """Both triads turned as a whole by k: in the averaged axes the unit is perfect, phi = -C k."""
     k = 1e-4 * np.array([1.0, -2.0, 1.5])
     turned = Rotation.from_rotvec(k).as_matrix() - np.eye(3)
-    imu_errors = NO_ERRORS._replace(gyro_error=turned, accelerometer_error=turned)
+    imu_errors = NO_ERRORS._replace(gyro_error_matrix=turned, accelerometer_error_matrix=turned)
     found, turn = imu_errors_in_frame(imu_errors, "averaged")
     for part in found:
         np.testing.assert_allclose(part, 0, atol=8 * EPS)
@@ -158,11 +158,12 @@ def test_errors_of_the_triads_are_biases_as_long_as_the_unit_stands():
     """K w and L f, of the one rate and the one force that there are."""
     rate, force = TO_LOCAL.T @ earth_rate(LATITUDE), TO_LOCAL.T @ np.array([0.0, 0.0, GRAVITY])
     bent = NO_ERRORS._replace(
-        gyro_error=TYPICAL_ERRORS.gyro_error, accelerometer_error=TYPICAL_ERRORS.accelerometer_error
+        gyro_error_matrix=TYPICAL_ERRORS.gyro_error_matrix,
+        accelerometer_error_matrix=TYPICAL_ERRORS.accelerometer_error_matrix,
     )
     straight = NO_ERRORS._replace(
-        gyro_bias=TYPICAL_ERRORS.gyro_error @ rate,
-        accelerometer_bias=TYPICAL_ERRORS.accelerometer_error @ force,
+        gyro_bias=TYPICAL_ERRORS.gyro_error_matrix @ rate,
+        accelerometer_bias=TYPICAL_ERRORS.accelerometer_error_matrix @ force,
     )
     same_errors(at_rest(bent, duration=600.0), at_rest(straight, duration=600.0))
 
@@ -311,8 +312,8 @@ def test_results_come_after_pairs_of_increments(interval, output_interval, durat
 def test_several_units_are_each_by_itself():
     rng = np.random.default_rng(4)
     units, found = (
-        random_imu_errors(PriorDeviations(), rng, 2, 3),
-        random_imu_errors(PriorDeviations(), rng, 3),
+        random_imu_errors(PriorStandardDeviations(), rng, 2, 3),
+        random_imu_errors(PriorStandardDeviations(), rng, 3),
     )
     starts = tilted(1e-3 * rng.standard_normal((2, 1, 3)))
     references = tilted(1e-3 * rng.standard_normal((3, 3)))

@@ -89,8 +89,11 @@ def test_an_error_that_the_earth_s_rate_shows_is_in_the_deviation_and_warned_of(
     wrong, right = found(still(bias=3 * HOUR)), found(still())
     assert any("rates differ from the Earth's" in warning for warning in wrong.warnings)
     assert right.warnings == ()
-    assert wrong.values["heading"]["deviation"] == wrong.values["heading_bias_deviation"]
-    assert right.values["heading_bias_deviation"] < 0.02 * wrong.values["heading_bias_deviation"]
+    assert wrong.values["heading"]["deviation"] == wrong.values["heading_bias_standard_deviation"]
+    assert (
+        right.values["heading_bias_standard_deviation"]
+        < 0.02 * wrong.values["heading_bias_standard_deviation"]
+    )
 
 
 def test_errors_of_the_heading_are_as_large_as_the_earth_s_rate_shows_them():
@@ -102,15 +105,17 @@ def test_errors_of_the_heading_are_as_large_as_the_earth_s_rate_shows_them():
         record = replace(true, gyro=true.gyro + 0.5 * HOUR * rng.standard_normal(3))
         one = found(record).values["heading"]
         errors.append(abs(one["value"] - heading) / one["deviation"])
-    for deviations, share in ((1.0, 0.577), (2.0, 0.816), (WITHIN, 0.95)):
+    for standard_deviations, share in ((1.0, 0.577), (2.0, 0.816), (WITHIN, 0.95)):
         spread = np.sqrt(share * (1 - share) / 200)
-        assert np.mean(np.array(errors) < deviations) == pytest.approx(share, abs=3.5 * spread)
+        assert np.mean(np.array(errors) < standard_deviations) == pytest.approx(
+            share, abs=3.5 * spread
+        )
 
 
 def test_without_the_latitude_the_whole_rate_must_do():
     record = replace(still(bias=1 * HOUR), latitude=None)
     findings = found(record)
-    assert findings.values["heading_bias_deviation"] > 0
+    assert findings.values["heading_bias_standard_deviation"] > 0
     assert any(words.startswith("The one rate that can be") for words in findings.sentences)
 
 
@@ -155,13 +160,13 @@ def test_a_unit_that_cannot_see_the_earth_gets_no_heading():
     """A cheap gyro's bias is hundreds of degrees an hour."""
     blind = found(still(bias=500 * HOUR))
     assert "heading" not in blind.values
-    assert not blind.values["earth_seen"]
+    assert not blind.values["earth_rate_sensed"]
     assert blind.sentences[0].startswith("No heading: ")
     assert f"{EARTH_RATE / HOUR:.2f}" in blind.sentences[0]
     assert blind.values["pitch"]["value"] == pytest.approx(0.02, abs=1e-4)
     noisy = found(still(noise=200 * HOUR))
     assert "known to" in noisy.sentences[0]
-    assert noisy.values["earth_seen"]
+    assert noisy.values["earth_rate_sensed"]
 
 
 def test_force_of_another_size_is_warned_of():

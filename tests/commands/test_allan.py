@@ -22,7 +22,10 @@ def test_the_noise_of_the_made_up_log_is_found(run, example_log, tmp_path):
     for name, size in zip(("gyro", "accelerometer"), sizes, strict=True):
         for axis in "xyz":
             one = values[name][axis]
-            walk, spread = one["terms"]["angle_random_walk"], one["deviations"]["angle_random_walk"]
+            walk, spread = (
+                one["terms"]["angle_random_walk"],
+                one["standard_deviations"]["angle_random_walk"],
+            )
             assert abs(walk - size) < 4 * spread
             assert one["terms"]["rate_ramp"] == 0.0
     record = example.example().between(0.0, 60.0)

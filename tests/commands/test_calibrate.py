@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
-from driftlab.calibration import calibrate_by_poses, from_json
+from driftlab.calibration import calibrate_multi_position, from_json
 from driftlab.calibration.interchange import KeptCalibration
 from driftlab.commands import example
 from driftlab.commands.calibrate import FORMS, matrices
 from driftlab.commands.example import OPTIONS
 from driftlab.recordings import published_file
-from driftlab.recordings.rest_detection import rests
+from driftlab.recordings.static_detection import static_intervals
 from support import recording_or_skip
 
 PLACE = "--axes FRD --latitude 59.9"
@@ -41,11 +41,16 @@ def test_errors_that_were_put_in_are_found(calibrated):
     """Each within 4.5 of its own deviations: 21 numbers go beyond that once in 7000 logs."""
     _, values, _ = calibrated
     for name, true in example.ERRORS._asdict().items():
-        found, spread = (np.array(values[kind][name]) for kind in ("imu_errors", "deviations"))
+        found, spread = (
+            np.array(values[kind][name]) for kind in ("imu_errors", "standard_deviations")
+        )
         free = spread > 1e-6 * spread.max()
         assert (abs(found - true)[free] < 4.5 * spread[free]).all()
         assert np.allclose(found[~free], true[~free], atol=1e-12)
-    matrix, spread = (np.array(values[kind]["gyro_error"]) for kind in ("imu_errors", "deviations"))
+    matrix, spread = (
+        np.array(values[kind]["gyro_error_matrix"])
+        for kind in ("imu_errors", "standard_deviations")
+    )
     assert (abs(matrix) > 3 * spread).all()  # and none of them is lost in its deviation
 
 
@@ -53,7 +58,7 @@ def test_the_package_reads_what_was_written(calibrated):
     _, values, _ = calibrated
     kept = from_json(json.dumps({"values": values}))
     assert isinstance(kept, KeptCalibration)
-    for part in ("imu_errors", "deviations"):
+    for part in ("imu_errors", "standard_deviations"):
         for name, array in getattr(kept, part)._asdict().items():
             assert array.tolist() == values[part][name]
     assert (kept.body_axes, kept.higher_order) == (values["body_axes"], None)
@@ -62,19 +67,19 @@ def test_the_package_reads_what_was_written(calibrated):
 def test_numbers_are_the_package_s(calibrated):
     _, values, table = calibrated
     record = example.example()
-    direct = calibrate_by_poses(record, rests(record))
+    direct = calibrate_multi_position(record, static_intervals(record))
     for name, array in direct.imu_errors._asdict().items():
-        spread = getattr(direct.deviations, name)
+        spread = getattr(direct.standard_deviations, name)
         found = np.array(values["imu_errors"][name])
         assert (abs(found - array) <= 1e-2 * spread + 1e-12).all()  # the log has eight digits
-    assert len(table.splitlines()) == len(rests(record)) + 1
+    assert len(table.splitlines()) == len(static_intervals(record)) + 1
     assert values["gravity"] == pytest.approx(record.gravity, rel=1e-12)
 
 
 def test_the_table_has_the_numbers_and_the_test_in_words(calibrated):
     printed, values, _ = calibrated
-    scale = 100 * values["imu_errors"]["gyro_error"][0][0]
-    spread = 100 * values["deviations"]["gyro_error"][0][0]
+    scale = 100 * values["imu_errors"]["gyro_error_matrix"][0][0]
+    spread = 100 * values["standard_deviations"]["gyro_error_matrix"][0][0]
     digits = 1 - int(np.floor(np.log10(spread)))  # two of the deviation's
     assert f"{scale:.{digits}f} ± {spread:.{digits}f}" in printed
     assert "0 by axes" in printed
@@ -130,6 +135,6 @@ def test_a_published_unit_is_calibrated_from_its_publisher_s_files(run, tmp_path
     values = json.loads((tmp_path / "a.json").read_text())["values"]
     found = np.array(values["forms"]["imu-tk"]["gyro_T"])
     published = np.array(IMU_TK[0].gyro_T)
-    spread = 4 * np.array(values["deviations"]["gyro_error"]) + 5e-4
+    spread = 4 * np.array(values["standard_deviations"]["gyro_error_matrix"]) + 5e-4
     assert (abs(found - published) < spread).all()
     assert abs(found - published).max() < 8e-3  # by a third of the record

@@ -61,7 +61,7 @@ def test_a_closed_path_shows_the_unit_s_own_errors(run, example_log, tmp_path):
     record = example.example()
     earth = 7.292115e-5 * record.duration
     true = (record.gyro - example.ERRORS.gyro_bias) @ np.linalg.inv(
-        np.eye(3) + example.ERRORS.gyro_error
+        np.eye(3) + example.ERRORS.gyro_error_matrix
     ).T
     clean = flown(Recording(true, None, record.interval, "rates", axes="FRD"), "two-step-4")
     left = Rotation.from_quat(clean.attitude[-1]).magnitude()

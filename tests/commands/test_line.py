@@ -91,7 +91,7 @@ def test_one_process_from_log_to_page(example_log, tmp_path):
     )
     assert (done.returncode, done.stderr) == (0, "")
     found = json.loads((tmp_path / "found.json").read_text())
-    assert found["values"]["earth_seen"]
+    assert found["values"]["earth_rate_sensed"]
     assert found["origin"]["call"] == f"python -m driftlab {words}"
     assert found["title"] in done.stdout
 

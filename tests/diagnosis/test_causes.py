@@ -10,26 +10,26 @@ import pytest
 
 from driftlab import diagnosis
 from driftlab.calibration import FULL
-from driftlab.calibration._told import FITS, Told
+from driftlab.calibration._filter_inputs import FITS, FilterInputs
 from driftlab.calibration.calibration_history import Calibration
 from driftlab.calibration.filter import LARGE_BIAS, TAKE_THE_MEAN, FilterFailure
 from driftlab.diagnosis import Diagnosis, diagnose
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments
 
 ROWS = np.zeros((4, 3))
-TOLD = Told(
+TOLD = FilterInputs(
     increments=Increments(0.5, ROWS, ROWS),
     start=np.array([0.0, 0.0, 0.0, 1.0]),
     latitude=0.7,
     model=FULL,
-    prior=PriorDeviations(),
+    prior=PriorStandardDeviations(),
     noise=ImuNoise(),
     reference=np.array([[0.01, 0.0, 0.0], [0.0, -0.2, 0.03]]),
     ends=np.array([2, 4]),
 )
 NOTHING = np.zeros(1)
-FOUND = Calibration(FULL, *[NOTHING] * 6, told=TOLD)
+FOUND = Calibration(FULL, *[NOTHING] * 6, inputs=TOLD)
 NONE_KNOWN = "no slip is known that explains it"
 
 
@@ -45,12 +45,14 @@ def said(monkeypatch):
             return list(slips)
 
         seen = None if misfit is None else SimpleNamespace(misfit=lambda *_: misfit)
-        monkeypatch.setattr("driftlab.calibration._told.evidence", lambda _: seen)
+        monkeypatch.setattr("driftlab.calibration._filter_inputs.evidence", lambda _: seen)
         if misfit is None:
-            monkeypatch.setattr(Told, "impossible", lambda _: None)
+            monkeypatch.setattr(FilterInputs, "impossible", lambda _: None)
         monkeypatch.setattr(Calibration, "_contradictions", lambda *_: (0, list(said)))
         monkeypatch.setattr(Calibration, "_too_large", lambda _: list(large))
-        monkeypatch.setattr(diagnosis, "told_noise", lambda told: (list(noise), told.noise))
+        monkeypatch.setattr(
+            diagnosis, "assumed_noise_contradictions", lambda inputs: (list(noise), inputs.noise)
+        )
         monkeypatch.setattr(diagnosis, "_likely_slips", likely_slips)
         monkeypatch.setattr(diagnosis, "_Judge", lambda _: SimpleNamespace(steps=steps))
         return str(diagnose(found)), asked
@@ -104,21 +106,21 @@ def test_noise_alone_is_said_and_a_second_pass(said):
     assert both.startswith("It is not right. Besides, go over the record again; " + NONE_KNOWN)
     # Errors that a slip makes say nothing of the unit.
     assert "again" not in said(said=["It"], slips=["Is it A?"], large=["again"])[0]
-    second = FOUND._replace(told=TOLD._replace(first=False))
+    second = FOUND._replace(inputs=TOLD._replace(first=False))
     assert said(large=["go over the record again"], found=second)[0].startswith("Nothing")
 
 
 @pytest.mark.parametrize("share", [0.99, 1.0, 1.01])
 def test_advice_for_large_biases_is_the_mean_at_rest(said, share):
-    told = TOLD._replace(prior=PriorDeviations(gyro_bias=share * LARGE_BIAS))
-    text, _ = said(said=["It"], found=FOUND._replace(told=told))
+    inputs = TOLD._replace(prior=PriorStandardDeviations(gyro_bias=share * LARGE_BIAS))
+    text, _ = said(said=["It"], found=FOUND._replace(inputs=inputs))
     assert (TAKE_THE_MEAN in text) == (share > 1)
-    stopped = FilterFailure("prior: it could not go on.", told)
+    stopped = FilterFailure("prior: it could not go on.", inputs)
     assert said(found=stopped)[0] == f"prior: it could not go on; {TAKE_THE_MEAN}."
 
 
 def test_a_diagnosis_of_nothing_is_refused():
-    for nothing in (FOUND._replace(told=None), FilterFailure("no"), ValueError("no"), 3.0):
+    for nothing in (FOUND._replace(inputs=None), FilterFailure("no"), ValueError("no"), 3.0):
         with pytest.raises(ValueError, match=r"^found: expected what calibrate returned"):
             diagnose(nothing)
 

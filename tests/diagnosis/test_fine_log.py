@@ -13,26 +13,26 @@ import pytest
 from driftlab import diagnosis
 from driftlab.calibration import (
     ERROR_MODELS,
-    InconsistentWarning,
+    InconsistentCalibrationWarning,
     calibrate,
     innovation_test,
     to_json,
 )
-from driftlab.calibration._told import evidence
+from driftlab.calibration._filter_inputs import evidence
 from driftlab.calibration.filter import FilterFailure
 from driftlab.checks import UnusualWarning
 from driftlab.diagnosis import _Judge, diagnose
 from driftlab.earth import EARTH_RATE
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS
-from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorDeviations
+from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments, measure
-from driftlab.motion import Scheme, table_trajectory
+from driftlab.motion import Scheme, turntable_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply
 from driftlab.recordings import Recording
 
 LATITUDE = np.radians(60.0)
 NOISE = ImuNoise(angle_random_walk=np.radians(5e-4) / 60, reference_velocity=1e-5)
-TABLE = table_trajectory(
+TABLE = turntable_trajectory(
     Scheme("+90X +90X +90Y +90Y +90Z +90X +90Z", ("North", "West", "Up"), dwell=37.37),
     LATITUDE,
     0.01,
@@ -55,7 +55,7 @@ def arguments(increments=PLAIN, **changes):
         "latitude": LATITUDE,
         "start": TABLE.attitude[0],
         "model": MODEL,
-        "prior": PriorDeviations(),
+        "prior": PriorStandardDeviations(),
         "noise": NOISE,
         "update_interval": 2.0,
         "keep": 10**6,
@@ -71,10 +71,10 @@ def walking(factor):
     return {"noise": ImuNoise(factor * NOISE.angle_random_walk, reference_velocity=1e-5)}
 
 
-def diagnosed(told):
+def diagnosed(inputs):
     with np.errstate(all="ignore"):
         try:
-            found = calibrate(**told)
+            found = calibrate(**inputs)
         except FilterFailure as failure:
             found = failure
         return str(diagnose(found))
@@ -103,9 +103,11 @@ DOUBTS = {
 @pytest.mark.slow
 @pytest.mark.parametrize("slip", DOUBTS)
 def test_slip_is_named(slip):
-    told, words = DOUBTS[slip]
-    with pytest.warns(InconsistentWarning, match=r"; driftlab\.diagnosis\.diagnose\(found\) looks"):
-        sentence = diagnosed(told)
+    inputs, words = DOUBTS[slip]
+    with pytest.warns(
+        InconsistentCalibrationWarning, match=r"; driftlab\.diagnosis\.diagnose\(found\) looks"
+    ):
+        sentence = diagnosed(inputs)
     assert re.search(words, sentence), sentence
     assert "record again" not in sentence
 
@@ -115,19 +117,19 @@ def test_right_run_is_not_doubted_nor_by_the_judge(increments, model):
     """Also not in the coarse steps in which slips are tried."""
     found = calibrate(**arguments(increments, model=model))
     assert innovation_test(found).verdict == "consistent"
-    assert _Judge(found.told).steps is None
+    assert _Judge(found.inputs).steps is None
     assert str(diagnose(found)).startswith("Nothing contradicts")
 
 
 def test_the_judge_looks_last_with_the_noise_that_was_told(monkeypatch):
-    def contradicted(rows, reference, *, noise, **told):
+    def contradicted(rows, reference, *, noise, **inputs):
         if noise.reference_velocity > NOISE.reference_velocity:
-            return calibrate(rows, reference, noise=noise, **told)
+            return calibrate(rows, reference, noise=noise, **inputs)
         raise ValueError("as if nothing fitted")
 
-    told = calibrate(**arguments()).told
+    inputs = calibrate(**arguments()).inputs
     monkeypatch.setattr(diagnosis, "calibrate", contradicted)
-    assert _Judge(told).steps == (NOISE.reference_velocity, 0.02)
+    assert _Judge(inputs).steps == (NOISE.reference_velocity, 0.02)
 
 
 def test_only_slips_beyond_the_prior_are_named():
@@ -155,28 +157,35 @@ def test_one_update_for_the_whole_record_needs_little_room():
 def test_rates_for_increments_are_named_whether_the_filter_can_go_on_or_not():
     # It diverges, and rounding decides whether a step becomes a whole turn.
     fast = Increments(0.01, 100 * PLAIN.angle, 100 * PLAIN.velocity)
-    with pytest.warns(InconsistentWarning, match="expected gravity and the Earth's rate"):
+    with pytest.warns(
+        InconsistentCalibrationWarning, match="expected gravity and the Earth's rate"
+    ):
         assert "gyros: rates taken for increments" in diagnosed(arguments(fast))
 
 
 def test_filter_that_cannot_go_on_says_so_in_one_sentence_and_keeps_its_arguments():
     fast = Increments(0.01, 5000 * PLAIN.angle, 5000 * PLAIN.velocity)
     words = r"^increments: .* could not go on: position: .*diagnose, given this error, looks"
-    with pytest.warns(InconsistentWarning), pytest.raises(FilterFailure, match=words) as no:
+    with (
+        pytest.warns(InconsistentCalibrationWarning),
+        pytest.raises(FilterFailure, match=words) as no,
+    ):
         calibrate(**arguments(fast))
-    assert isinstance(no.value.__cause__, InconsistentWarning)
+    assert isinstance(no.value.__cause__, InconsistentCalibrationWarning)
     kept = pickle.loads(pickle.dumps(no.value))
     assert str(kept) == str(no.value)
-    np.testing.assert_array_equal(kept.told.increments.angle, fast.angle)
+    np.testing.assert_array_equal(kept.inputs.increments.angle, fast.angle)
 
 
 def test_a_calibration_keeps_its_arguments_unless_it_does_not_check_them():
     found = calibrate(**arguments())
-    np.testing.assert_array_equal(found.told.increments.angle, PLAIN.angle)
-    assert calibrate(**arguments(check=False)).told is None
+    np.testing.assert_array_equal(found.inputs.increments.angle, PLAIN.angle)
+    assert calibrate(**arguments(check=False)).inputs is None
     assert found == found
-    np.testing.assert_array_equal(pickle.loads(pickle.dumps(found)).told.start, found.told.start)
-    assert "told" not in to_json(found)
+    np.testing.assert_array_equal(
+        pickle.loads(pickle.dumps(found)).inputs.start, found.inputs.start
+    )
+    assert "inputs" not in to_json(found)
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import pytest
 
 from driftlab import diagnosis
 from driftlab.calibration import FULL
-from driftlab.calibration._told import Told, evidence
+from driftlab.calibration._filter_inputs import FilterInputs, evidence
 from driftlab.calibration.calibration_history import BEYOND
 from driftlab.diagnosis import (
     _ORDERS,
@@ -20,7 +20,7 @@ from driftlab.diagnosis import (
     _turned,
 )
 from driftlab.earth import gravity
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments
 from driftlab.motion.turntable import static_trajectory
 from driftlab.quaternion import (
@@ -37,12 +37,14 @@ UNTURNED = np.array([0.0, 0.0, 0.0, 1.0])
 GRAVITY = float(gravity(LATITUDE))
 
 
-def told(increments=None, latitude=LATITUDE, start=UNTURNED, prior=None, ends=None):
+def inputs(increments=None, latitude=LATITUDE, start=UNTURNED, prior=None, ends=None):
     """What a table that stands tells."""
     ends = np.zeros(1) if ends is None else ends
-    prior = PriorDeviations() if prior is None else prior
+    prior = PriorStandardDeviations() if prior is None else prior
     still = np.zeros((len(ends), 3))
-    return Told(increments, start, latitude, FULL, prior, ImuNoise(), reference=still, ends=ends)
+    return FilterInputs(
+        increments, start, latitude, FULL, prior, ImuNoise(), reference=still, ends=ends
+    )
 
 
 # The judge
@@ -61,7 +63,7 @@ class LinearJudge(_Judge):
 
 @pytest.mark.parametrize("latitude", [0.45, 0.5, 0.55])
 def test_latitude_is_that_of_the_least_innovations(latitude):
-    found, deviation = LinearJudge(told()).latitude(told(latitude=latitude))
+    found, deviation = LinearJudge(inputs()).latitude(inputs(latitude=latitude))
     assert found == pytest.approx(0.5, abs=1e-9)
     assert deviation == pytest.approx(1 / 5)
 
@@ -75,7 +77,7 @@ def test_latitude_is_sought_away_from_the_pole_and_a_tenth_of_a_radian_at_a_time
             tried.append(other.latitude)
             return super()._run(other, *rest)
 
-    found, _ = Near(told()).latitude(told(latitude=latitude))
+    found, _ = Near(inputs()).latitude(inputs(latitude=latitude))
     assert found == pytest.approx(latitude + (0.1 if latitude < 0 else -0.1))
     assert max(np.abs(tried)) == abs(latitude)
 
@@ -90,7 +92,7 @@ def test_the_judge_adds_up_to_small_turns_and_measures_every_ten_seconds(monkeyp
 
     monkeypatch.setattr(diagnosis, "calibrate", calibrate)
     rows = np.full((8000, 3), [0.0, 0.0, 1e-3])
-    judged = _Judge(told(Increments(0.01, rows, rows), ends=np.arange(200, 8001, 200)))
+    judged = _Judge(inputs(Increments(0.01, rows, rows), ends=np.arange(200, 8001, 200)))
     assert judged.steps == (ImuNoise().reference_velocity, 0.1)
     assert handed == [(pytest.approx(0.1), 8)]
 
@@ -99,7 +101,7 @@ def test_a_latitude_that_shows_in_nothing_is_not_known():
     class Blind(LinearJudge):
         slope = np.zeros((1, 3))
 
-    assert Blind(told()).latitude(told(latitude=0.3)) == (0.3, np.inf)
+    assert Blind(inputs()).latitude(inputs(latitude=0.3)) == (0.3, np.inf)
 
 
 # Likely slips
@@ -141,7 +143,7 @@ def test_a_start_is_levelled_and_headed_by_what_is_felt(tilt, degrees):
     level = _levelled(multiply(wrong, true), seen)
     up_again = rotate(level, seen.force[0])
     np.testing.assert_allclose(up_again / np.linalg.norm(up_again), [0, 0, 1], atol=1e-12)
-    start = _headed(told(start=level), seen)
+    start = _headed(inputs(start=level), seen)
     turn = to_rotation_vector(multiply(start, conjugate(true)))
     assert np.abs(turn[:2]).max() < 1e-3
     assert abs(turn[2]) <= np.radians(1.01)
@@ -181,8 +183,8 @@ def test_only_an_interval_that_gravity_contradicts_is_another_one(scale, bound, 
     angle, up = np.zeros((4, 3)), np.tile([0.0, 0.0, 0.1 * GRAVITY], (4, 1))
 
     def intervals(ratio):
-        prior = PriorDeviations(scale=scale)
-        tried = _rescaled(told(Increments(0.1, angle, ratio * up), prior=prior))
+        prior = PriorStandardDeviations(scale_factor=scale)
+        tried = _rescaled(inputs(Increments(0.1, angle, ratio * up), prior=prior))
         return [other.interval for name, other in tried if name.startswith("interval")]
 
     assert intervals(1.0) == intervals(1 + 0.99 * sense * bound) == []

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from driftlab.calibration import InconsistentWarning, calibrate
+from driftlab.calibration import InconsistentCalibrationWarning, calibrate
 from driftlab.calibration.filter import FilterFailure
 from driftlab.diagnosis import diagnose
 from driftlab.increments import Increments
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply
-from table_records import LATITUDE, RECORDS, STEP, told
+from table_records import LATITUDE, RECORDS, STEP, inputs
 
 
 def scaled(angle=1.0, velocity=1.0, interval=1.0):
@@ -116,7 +116,7 @@ NAMES = list(RECORDS)
 def calibrated(run):
     """What the filter found, or how it failed."""
     with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore", InconsistentWarning)
+        warnings.simplefilter("ignore", InconsistentCalibrationWarning)
         try:
             return calibrate(**run)
         except FilterFailure as failure:
@@ -127,7 +127,7 @@ def calibrated(run):
 @pytest.mark.parametrize(("slip", "place"), [(slip, k) for k, slip in enumerate(SLIPS)])
 def test_slip_is_named(slip, place):
     change, words = SLIPS[slip]
-    run = told(NAMES[place % 3], noisy=place % 2 == 0)
+    run = inputs(NAMES[place % 3], noisy=place % 2 == 0)
     sentence = str(diagnose(calibrated(change(run))))
     assert re.search(words, sentence), sentence
     assert re.match(r"expected .* (to|within) \S+.*, got \S+[:;.] ", sentence)
@@ -135,7 +135,7 @@ def test_slip_is_named(slip, place):
 
 @pytest.mark.parametrize("slip", ["rates alone", "degrees"])  # a result, and a failure
 def test_arrays_that_change_afterwards_change_no_diagnosis(slip):
-    run = SLIPS[slip][0](told())
+    run = SLIPS[slip][0](inputs())
     found = calibrated(run)
     before = diagnose(found)
     run["increments"].angle[:] = 0.0
@@ -143,6 +143,6 @@ def test_arrays_that_change_afterwards_change_no_diagnosis(slip):
 
 
 def test_no_second_pass_is_advised_for_errors_that_a_slip_makes():
-    with pytest.warns(InconsistentWarning, match="accelerometer scale x: found") as said:
-        calibrate(**scaled(interval=1.01)(told()))
+    with pytest.warns(InconsistentCalibrationWarning, match="accelerometer scale x: found") as said:
+        calibrate(**scaled(interval=1.01)(inputs()))
     assert "over the record again" not in str(said[0].message)

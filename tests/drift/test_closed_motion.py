@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, strategies as st
 from scipy.spatial.transform import Rotation
 
-from driftlab.drift.closed_motion import drift_per_motion, exact_drift_per_motion
-from driftlab.drift.systematic_drift import drift_coefficient, drift_per_turn
+from driftlab.drift.closed_motion import drift_per_cycle, exact_drift_per_cycle
+from driftlab.drift.systematic_drift import drift_coefficient, drift_per_revolution
 from driftlab.earth import EARTH_RATE
 from driftlab.motion import Coning
 from driftlab.vectors import cross_matrix
@@ -34,42 +34,42 @@ MOTIONS = {"turn": [[0, 0, 2 * np.pi]], "tumble": TUMBLE, "way": closed(WAY), "c
 every_motion = pytest.mark.parametrize("increments", MOTIONS.values(), ids=MOTIONS)
 
 
-def apparent(increments, triad_error):
+def apparent(increments, error_matrix):
     """What SciPy makes of the measured increments."""
     attitude = Rotation.identity()
-    for turn in np.asarray(increments) @ (np.eye(3) + triad_error).T:
+    for turn in np.asarray(increments) @ (np.eye(3) + error_matrix).T:
         attitude = attitude * Rotation.from_rotvec(turn)
     return attitude
 
 
 @given(directions(), matrices(1e-2))
-def test_whole_turn_is_larins_drift(direction, triad_error):
+def test_whole_turn_is_larins_drift(direction, error_matrix):
     n = direction / np.linalg.norm(direction)
     turn = 2 * np.pi * n[np.newaxis]
-    expected = 2 * np.pi * drift_coefficient(n, triad_error) * n
-    np.testing.assert_allclose(drift_per_motion(turn, triad_error), expected, atol=1e-15)
-    size = np.linalg.norm(exact_drift_per_motion(turn, triad_error))
-    np.testing.assert_allclose(size, abs(drift_per_turn(n, triad_error)), atol=1e-14)
+    expected = 2 * np.pi * drift_coefficient(n, error_matrix) * n
+    np.testing.assert_allclose(drift_per_cycle(turn, error_matrix), expected, atol=1e-15)
+    size = np.linalg.norm(exact_drift_per_cycle(turn, error_matrix))
+    np.testing.assert_allclose(size, abs(drift_per_revolution(n, error_matrix)), atol=1e-14)
 
 
 @given(st.lists(vectors(3.0), min_size=1, max_size=6), vectors(1.0))
 def test_skew_part_leaves_nothing_on_any_closed_motion(way, kappa):
-    drift = drift_per_motion(closed(way), cross_matrix(kappa))
+    drift = drift_per_cycle(closed(way), cross_matrix(kappa))
     np.testing.assert_allclose(drift, 0, atol=1e-13)
 
 
 def test_rotated_block_leaves_exactly_nothing():
     rotated = Rotation.from_rotvec([0.3, -0.2, 0.1]).as_matrix() - np.eye(3)
     for increments in (TUMBLE, closed(WAY)):
-        np.testing.assert_allclose(exact_drift_per_motion(increments, rotated), 0, atol=1e-14)
+        np.testing.assert_allclose(exact_drift_per_cycle(increments, rotated), 0, atol=1e-14)
 
 
 @every_motion
 def test_first_order_differs_from_exact_in_second(increments):
     order = order_of(
         lambda size: np.linalg.norm(
-            exact_drift_per_motion(increments, size * SHAPE)
-            - drift_per_motion(increments, size * SHAPE)
+            exact_drift_per_cycle(increments, size * SHAPE)
+            - drift_per_cycle(increments, size * SHAPE)
         )
     )
     assert abs(order - 2) < 0.05
@@ -80,7 +80,7 @@ def test_exact_drift_is_that_of_scipys_rotations(increments):
     expected = apparent(increments, 0.02 * SHAPE)
     true = apparent(increments, np.zeros((3, 3)))
     np.testing.assert_allclose(
-        exact_drift_per_motion(increments, 0.02 * SHAPE),
+        exact_drift_per_cycle(increments, 0.02 * SHAPE),
         (expected * true.inv()).as_rotvec(),
         rtol=0,
         atol=4 * (len(increments) + np.abs(increments).sum()) * EPS,  # steps, and what they turn
@@ -88,24 +88,24 @@ def test_exact_drift_is_that_of_scipys_rotations(increments):
 
 
 def test_repeated_motion_drifts_in_proportion():
-    once = exact_drift_per_motion(TUMBLE, 0.01 * SHAPE)
+    once = exact_drift_per_cycle(TUMBLE, 0.01 * SHAPE)
     for times in (2, 5, 20):
-        repeated = exact_drift_per_motion(np.tile(TUMBLE, (times, 1)), 0.01 * SHAPE)
+        repeated = exact_drift_per_cycle(np.tile(TUMBLE, (times, 1)), 0.01 * SHAPE)
         np.testing.assert_allclose(repeated, times * once, rtol=0, atol=1e-13)
 
 
 def test_a_motion_that_the_earth_keeps_open_is_refused_with_its_cure():
     turning = np.diff(np.sin(np.arange(61) * np.pi / 30))[:, np.newaxis] * [0.0, 0.2, 0.0]
-    drift_per_motion(turning, SHAPE)
+    drift_per_cycle(turning, SHAPE)
     on_earth = turning + EARTH_RATE * np.array([0.0, 0.6, 0.8])  # a minute
     with pytest.raises(ValueError, match=r"ends 0\.004\d* rad .*; on the Earth take its rate off"):
-        drift_per_motion(on_earth, SHAPE)
+        drift_per_cycle(on_earth, SHAPE)
 
 
 def test_there_and_back_leaves_exactly_nothing():
     motion = np.vstack([WAY, -WAY[::-1]])
-    np.testing.assert_allclose(exact_drift_per_motion(motion, 0.3 * SHAPE), 0, atol=1e-14)
-    np.testing.assert_allclose(drift_per_motion(motion, 0.3 * SHAPE), 0, atol=1e-14)
+    np.testing.assert_allclose(exact_drift_per_cycle(motion, 0.3 * SHAPE), 0, atol=1e-14)
+    np.testing.assert_allclose(drift_per_cycle(motion, 0.3 * SHAPE), 0, atol=1e-14)
 
 
 @pytest.mark.parametrize("half_angle", [0.1, 0.6, 2.0])
@@ -122,7 +122,7 @@ def test_cone_has_the_drift_in_closed_form(half_angle):
     )
     expected = Rotation.from_rotvec([-half_angle, 0, 0]).apply(of_cone)
     samples = 720
-    found = drift_per_motion(cone(half_angle, samples), SHAPE, tolerance=1e-2)
+    found = drift_per_cycle(cone(half_angle, samples), SHAPE, tolerance=1e-2)
     # The increments leave out how the axis moves within a sample: second order in its angle.
     bound = 3 * (2 * np.pi / samples) ** 2
     np.testing.assert_allclose(found, expected, rtol=0, atol=bound * np.linalg.norm(SHAPE))
@@ -135,13 +135,13 @@ def test_continuous_motion_against_quadrature():
     rate = motion.rate(time) @ SHAPE.T
     mean = Rotation.from_quat(motion.attitude(time)).apply(rate).mean(axis=0) / 2
     expected = Rotation.from_quat(motion.attitude(0.0)).inv().apply(mean)
-    found = drift_per_motion(motion.increments(0.5 / samples, samples), SHAPE)
+    found = drift_per_cycle(motion.increments(0.5 / samples, samples), SHAPE)
     # Second order in the angle of the cone that one increment covers.
     np.testing.assert_allclose(found, expected, rtol=0, atol=(2 * np.pi / samples) ** 2)
 
 
 @given(vectors(1.0), matrices(1.0))
-def test_small_motion_counts_by_the_area_of_its_rotation_vector(axis, triad_error):
+def test_small_motion_counts_by_the_area_of_its_rotation_vector(axis, error_matrix):
     """(tr M I - M - M^T) times the area that the rotation vector goes round."""
     phase = np.linspace(0, 2 * np.pi, 49)
     size = 1e-3
@@ -149,8 +149,8 @@ def test_small_motion_counts_by_the_area_of_its_rotation_vector(axis, triad_erro
     attitudes = Rotation.from_rotvec(path)
     motion = (attitudes[:-1].inv() * attitudes[1:]).as_rotvec()
     area = np.cross(path[:-1], path[1:]).sum(axis=0) / 2
-    matrix = np.trace(triad_error) * np.eye(3) - triad_error - triad_error.T
-    drift = attitudes[0].apply(drift_per_motion(motion, triad_error))
+    matrix = np.trace(error_matrix) * np.eye(3) - error_matrix - error_matrix.T
+    drift = attitudes[0].apply(drift_per_cycle(motion, error_matrix))
     # What is left is of the third power of the size.
     np.testing.assert_allclose(drift, matrix @ area, rtol=0, atol=100 * size**3)
 
@@ -160,7 +160,7 @@ def test_leading_axes_broadcast_and_arguments_stay():
     errors = np.array([0.1, 0.2, 0.3])[:, np.newaxis, np.newaxis, np.newaxis] * SHAPE
     motions.setflags(write=False)
     errors.setflags(write=False)
-    for function in (drift_per_motion, exact_drift_per_motion):
+    for function in (drift_per_cycle, exact_drift_per_cycle):
         together = function(motions, errors)
         assert together.shape == (3, 2, 3)
         for i, j in np.ndindex(3, 2):
@@ -168,18 +168,18 @@ def test_leading_axes_broadcast_and_arguments_stay():
             np.testing.assert_allclose(together[i, j], alone, rtol=0, atol=1e-14)
 
 
-@pytest.mark.parametrize("function", [drift_per_motion, exact_drift_per_motion])
+@pytest.mark.parametrize("function", [drift_per_cycle, exact_drift_per_cycle])
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
         (([0, 0, 6.28], SHAPE), r"increments: expected shape \(\.\.\., n, 3\), got shape \(3,\)"),
         (([[0, 0, np.nan]], SHAPE), "increments: expected finite numbers"),
-        (([[0, 0, 0]], np.zeros(3)), "triad_error: expected shape"),
+        (([[0, 0, 0]], np.zeros(3)), "error_matrix: expected shape"),
         (
             (WAY, SHAPE),
             r"increments: .*closes to 0\.0001 rad, got one that ends 3\.1 rad from where.*began\.$",
         ),
-        ((np.zeros((2, 4, 3)), np.zeros((3, 3, 3))), "increments, triad_error: expected leading"),
+        ((np.zeros((2, 4, 3)), np.zeros((3, 3, 3))), "increments, error_matrix: expected leading"),
     ],
 )
 def test_refusals(function, arguments, sentence):
@@ -191,18 +191,18 @@ def test_each_of_several_motions_must_close():
     open_motion = np.zeros((len(WAY) + 1, 3))
     open_motion[0, 0] = 1e-3
     with pytest.raises(ValueError, match=r"got one that ends 0\.001 rad from where it began"):
-        drift_per_motion([closed(WAY), open_motion], SHAPE)
+        drift_per_cycle([closed(WAY), open_motion], SHAPE)
 
 
 def test_tolerance_is_the_callers():
     coarse = cone(0.5, samples=36)
     with pytest.raises(ValueError, match="expected a motion that closes"):
-        drift_per_motion(coarse, SHAPE)
-    assert drift_per_motion(coarse, SHAPE, tolerance=0.02).shape == (3,)
+        drift_per_cycle(coarse, SHAPE)
+    assert drift_per_cycle(coarse, SHAPE, tolerance=0.02).shape == (3,)
     with pytest.raises(ValueError, match=r"^tolerance: expected a positive number"):
-        drift_per_motion(coarse, SHAPE, tolerance=0)
+        drift_per_cycle(coarse, SHAPE, tolerance=0)
 
 
 def test_flat_triad_is_refused():
-    with pytest.raises(ValueError, match=r"^triad_error: expected three sensitive axes"):
-        exact_drift_per_motion(TUMBLE, np.diag([0.0, 0.0, -1.0]))
+    with pytest.raises(ValueError, match=r"^error_matrix: expected three sensitive axes"):
+        exact_drift_per_cycle(TUMBLE, np.diag([0.0, 0.0, -1.0]))

@@ -7,12 +7,12 @@ from scipy.constants import arcsecond, degree, hour
 from driftlab.attitude import integrate
 from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import earth_offset, exact_turn_estimate, turn_estimate
-from driftlab.drift.weighing_designs import YATES_AXES, fit_turns, weighing
+from driftlab.drift.turn_calibration import earth_rate_offset, exact_turn_estimate, turn_estimate
+from driftlab.drift.weighing_designs import YATES_AXES, fit_turns, weighing_estimate
 from driftlab.earth import EARTH_RATE
 from driftlab.imu import NO_ERRORS, ImuNoise
 from driftlab.increments import measure
-from driftlab.motion.table_turn import TableTurn
+from driftlab.motion.turntable_rotation import TurntableRotation
 from driftlab.quaternion import from_rotation_vector, multiply
 from support import order_of
 
@@ -23,15 +23,21 @@ SARATOV, RATE = np.radians(51.5), 2 * np.pi / 36
 
 
 def senses(
-    axes, axis=None, *, gyro_error=NO_ERRORS.gyro_error, bias=(0, 0, 0), samples=720, **turn
+    axes,
+    axis=None,
+    *,
+    gyro_error_matrix=NO_ERRORS.gyro_error_matrix,
+    bias=(0, 0, 0),
+    samples=720,
+    **turn,
 ):
     """Estimates (2, ...) about `axes` in both senses; the body really turns about `axis`."""
-    unit = NO_ERRORS._replace(gyro_error=gyro_error, gyro_bias=np.asarray(bias))
+    unit = NO_ERRORS._replace(gyro_error_matrix=gyro_error_matrix, gyro_bias=np.asarray(bias))
     settings = {"rate": RATE, "latitude": SARATOV} | turn
     rate, turns = settings.pop("rate"), settings.get("turns", 1)
     found = []
     for sense in BOTH:
-        record = TableTurn(sense * rate, **settings).increments(
+        record = TurntableRotation(sense * rate, **settings).increments(
             axes if axis is None else axis, samples
         )
         found.append(recorded_turn_estimate(measure(record, unit).angle, axes, turns))
@@ -46,7 +52,7 @@ def test_a_perfect_triad_on_the_earth(speed, found):
     np.testing.assert_allclose(there / arcsecond, found, rtol=0, atol=0.005)
     np.testing.assert_allclose((there + back) / 2 / arcsecond, 0, atol=3e-8)
     # The tangent of (3.3) adds the cube of the Earth's angle, 360 parts in a thousand million.
-    offset = earth_offset(np.radians(37.5), np.radians(speed))
+    offset = earth_rate_offset(np.radians(37.5), np.radians(speed))
     np.testing.assert_allclose(there, offset, rtol=4e-7)
 
 
@@ -61,13 +67,15 @@ def test_the_perfect_triad_in_closed_form(turns):
 
 
 def test_the_triad_of_chapter_11_its_trap_and_its_cures():
-    there, back = senses(YATES_AXES, gyro_error=BENT)
+    there, back = senses(YATES_AXES, gyro_error_matrix=BENT)
     np.testing.assert_allclose(there[:3] / arcsecond, [37.44, 87.45, 97.45], rtol=0, atol=0.01)
-    yates = weighing(there * [1, 1, 1, 1.5])
+    yates = weighing_estimate(there * [1, 1, 1, 1.5])
     np.testing.assert_allclose(yates / arcsecond, [-13.14, 36.87, 46.87], rtol=0, atol=0.01)
     offset = fit_turns(there, YATES_AXES, "common")
     np.testing.assert_allclose(offset.sigma / arcsecond, [-30, 20, 30], rtol=0, atol=0.01)
-    assert offset.scale == pytest.approx(earth_offset(SARATOV, RATE), abs=0.01 * arcsecond)
+    assert offset.scale_factor == pytest.approx(
+        earth_rate_offset(SARATOV, RATE), abs=0.01 * arcsecond
+    )
     mean = (there + back)[:3] / 2
     np.testing.assert_allclose(mean / arcsecond, [-30, 20, 30], rtol=0, atol=0.005)
 
@@ -76,11 +84,11 @@ def test_the_triad_of_chapter_11_its_trap_and_its_cures():
 @pytest.mark.parametrize("rest", [0.0, 7.0])
 def test_first_order_of_earth_and_bias_with_ramps_and_rest(ramp, rest):
     bias = np.array([3.0, -2.0, 1.0]) * degree / hour
-    found = senses(YATES_AXES, gyro_error=BENT, bias=bias, ramp=ramp, rest=rest, turns=2)
-    mean_rate = BOTH * TableTurn(RATE, 2, SARATOV, ramp=ramp, rest=rest).mean_rate
+    found = senses(YATES_AXES, gyro_error_matrix=BENT, bias=bias, ramp=ramp, dwell=rest, turns=2)
+    mean_rate = BOTH * TurntableRotation(RATE, 2, SARATOV, ramp=ramp, dwell=rest).mean_rate
     n_b = YATES_AXES @ bias
     expected = drift_coefficient(YATES_AXES, BENT) + np.add.outer(
-        earth_offset(SARATOV, mean_rate), np.zeros(4)
+        earth_rate_offset(SARATOV, mean_rate), np.zeros(4)
     ) + n_b / mean_rate[:, None]  # fmt: skip
     # Second order: squares and products of numbers of 4e-4 at most.
     np.testing.assert_allclose(found, expected, rtol=0, atol=4e-4**2)
@@ -90,7 +98,7 @@ def test_an_error_of_the_angle_is_of_first_order_and_the_same_in_both_senses():
     delta = 20 * arcsecond
     for turns in (1, 2):
         plain, beyond = (
-            senses(YATES_AXES, gyro_error=BENT, turns=turns, angle_error=error)
+            senses(YATES_AXES, gyro_error_matrix=BENT, turns=turns, angle_error=error)
             for error in (0.0, delta)
         )
         np.testing.assert_allclose(beyond - plain, delta / (2 * np.pi * turns), rtol=1e-3)
@@ -99,9 +107,9 @@ def test_an_error_of_the_angle_is_of_first_order_and_the_same_in_both_senses():
 def test_a_wrong_zero_mark_reverses_and_cancels_in_the_mean():
     delta = 20 * arcsecond  # counter-clockwise on the dial, whatever the sense of the turn
     beyond, short = (
-        senses(YATES_AXES, gyro_error=BENT, angle_error=sign * delta) for sign in (1, -1)
+        senses(YATES_AXES, gyro_error_matrix=BENT, angle_error=sign * delta) for sign in (1, -1)
     )
-    plain = senses(YATES_AXES, gyro_error=BENT)
+    plain = senses(YATES_AXES, gyro_error_matrix=BENT)
     there, back = beyond[0] - plain[0], short[1] - plain[1]
     np.testing.assert_allclose(there, delta / (2 * np.pi), rtol=1e-3)
     np.testing.assert_allclose(there + back, 0, atol=1e-3 * delta)
@@ -117,7 +125,7 @@ def test_an_error_of_the_axis_enters_in_products():
     """With M twice e.Sigma n, the same in both senses; with the Earth its level part, reversed."""
     n, e = np.array([1.0, 1.0, 0.0]) / np.sqrt(2), np.array([0.0, 0.0, 1.0])
     shift = 1e-3
-    exact, off = (senses(n, n + s * e, gyro_error=BENT, samples=3600) for s in (0.0, shift))
+    exact, off = (senses(n, n + s * e, gyro_error_matrix=BENT, samples=3600) for s in (0.0, shift))
     change = off - exact
     assert change.mean() == pytest.approx(shift * 2 * e @ BENT @ n, rel=0.01)
     assert 0 < abs(change @ BOTH / 2) < shift * EARTH_RATE / RATE
@@ -125,14 +133,14 @@ def test_an_error_of_the_axis_enters_in_products():
     def product(size):
         bend = size * BENT / np.abs(BENT).max()
         exact = exact_turn_estimate(n, bend)
-        return abs(senses(n, n + size * e, gyro_error=bend, latitude=None)[0] - exact)
+        return abs(senses(n, n + size * e, gyro_error_matrix=bend, latitude=None)[0] - exact)
 
     assert order_of(product) == pytest.approx(2, abs=0.05)
 
 
 def test_noise_of_an_estimate_is_that_of_the_angle():
     noise, count = ImuNoise(angle_random_walk=1e-6), 2000
-    turn = TableTurn(RATE, 2, SARATOV)
+    turn = TurntableRotation(RATE, 2, SARATOV)
     record = turn.increments(np.tile([1.0, 2, 2], (count, 1)), 16)
     found = recorded_turn_estimate(
         measure(record, NO_ERRORS, noise, np.random.default_rng(1)).angle, [1, 2, 2], 2
@@ -145,18 +153,20 @@ def test_noise_of_an_estimate_is_that_of_the_angle():
 @pytest.mark.parametrize("algorithm", ["two-step-4", "rotation-vector-3", "memory-4", "one-step-3"])
 @pytest.mark.parametrize("rows", [720, 721, 722])
 def test_every_algorithm_takes_every_number_of_rows(algorithm, rows):
-    unit = NO_ERRORS._replace(gyro_error=BENT)
-    record = measure(TableTurn(RATE, latitude=SARATOV).increments([1, 1, 0], rows), unit)
+    unit = NO_ERRORS._replace(gyro_error_matrix=BENT)
+    record = measure(TurntableRotation(RATE, latitude=SARATOV).increments([1, 1, 0], rows), unit)
     found = recorded_turn_estimate(record.angle, [1, 1, 0], 1, algorithm)
-    expected = -30 * arcsecond + earth_offset(SARATOV, RATE)
+    expected = -30 * arcsecond + earth_rate_offset(SARATOV, RATE)
     # Steps of half a degree: errors of third order are below a hundredth of an arc second.
     assert found == pytest.approx(expected, abs=0.01 * arcsecond)
 
 
 def test_the_sense_is_read_from_the_record():
-    record = TableTurn(-RATE, latitude=SARATOV).increments([1, 1, 0], 720).angle
+    record = TurntableRotation(-RATE, latitude=SARATOV).increments([1, 1, 0], 720).angle
     estimates = [recorded_turn_estimate(record, axis) for axis in ([1, 1, 0], [-1, -1, 0])]
-    assert estimates[0] == estimates[1] == pytest.approx(-earth_offset(SARATOV, RATE), rel=1e-5)
+    assert (
+        estimates[0] == estimates[1] == pytest.approx(-earth_rate_offset(SARATOV, RATE), rel=1e-5)
+    )
 
 
 @pytest.mark.parametrize(
@@ -174,13 +184,13 @@ def test_the_sense_is_read_from_the_record():
     ],
 )
 def test_a_record_of_something_else_is_refused(change, axis, turns, sentence):
-    record = TableTurn(RATE, latitude=SARATOV).increments([1, 1, 0], 720).angle
+    record = TurntableRotation(RATE, latitude=SARATOV).increments([1, 1, 0], 720).angle
     with pytest.raises(ValueError, match=f"^increments: expected angles in rad .*{sentence}"):
         recorded_turn_estimate(change(record), axis, turns)
 
 
 def test_one_of_several_records_that_is_cut_is_refused_and_told():
-    record = TableTurn(RATE, latitude=SARATOV).increments([1, 1, 0], 720).angle
+    record = TurntableRotation(RATE, latitude=SARATOV).increments([1, 1, 0], 720).angle
     several = np.stack([record, 0.93 * record, record])
     with pytest.raises(ValueError, match=r"^increments: expected angles .* axis, got 0\.930"):
         recorded_turn_estimate(several, [1, 1, 0])
@@ -202,8 +212,8 @@ def test_rows_as_many_as_an_algorithm_needs_are_enough():
 
 def test_the_default_is_exact_for_few_rows():
     """On the Earth the axis of the rotation wanders by a ten-thousandth, and no more is lost."""
-    record = TableTurn(RATE, latitude=SARATOV).increments([1, 1, 0], 36).angle
-    truth = earth_offset(SARATOV, RATE)
+    record = TurntableRotation(RATE, latitude=SARATOV).increments([1, 1, 0], 36).angle
+    truth = earth_rate_offset(SARATOV, RATE)
     assert recorded_turn_estimate(record, [1, 1, 0]) == pytest.approx(truth, abs=1e-9)
     lost = recorded_turn_estimate(record, [1, 1, 0], 1, "two-step-4") - truth
     assert lost / arcsecond == pytest.approx(-1.6, abs=0.1)
@@ -217,7 +227,7 @@ def test_too_few_rows_are_refused():
 def test_a_triad_of_the_simplest_kind_is_not_refused():
     """Scale factors and cross-coupling of 4 %, and the estimate is their own."""
     for triad in (0.04 * np.eye(3), -0.04 * np.eye(3), 0.04 * np.fliplr(np.eye(3))):
-        found = senses(YATES_AXES, gyro_error=triad).mean(axis=0)
+        found = senses(YATES_AXES, gyro_error_matrix=triad).mean(axis=0)
         np.testing.assert_allclose(found, exact_turn_estimate(YATES_AXES, triad), atol=1e-6)
 
 

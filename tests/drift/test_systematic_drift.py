@@ -20,7 +20,7 @@ from driftlab.drift.error_kinematics import (
 from driftlab.drift.systematic_drift import (
     _exact_drift_coefficient,
     drift_coefficient,
-    drift_per_turn,
+    drift_per_revolution,
     principal_drifts,
 )
 from driftlab.quaternion import from_rotation_vector, rotate
@@ -38,11 +38,11 @@ BENT = 0.1 * SHAPE
 SKEW = SHAPE - SHAPE.T
 
 
-def exact_coefficient(direction, triad_error):
+def exact_coefficient(direction, error_matrix):
     """|(I + M) n| - 1 with digits enough for M = 1e-300, rounded once."""
     with mpmath.workdps(700):
         n = mpmath.matrix(np.asarray(direction, dtype=float).tolist())
-        triad = mpmath.eye(3) + mpmath.matrix(np.asarray(triad_error, dtype=float).tolist())
+        triad = mpmath.eye(3) + mpmath.matrix(np.asarray(error_matrix, dtype=float).tolist())
         return float(mpmath.norm(triad * n) / mpmath.norm(n) - 1)
 
 
@@ -51,26 +51,26 @@ def exact_coefficient(direction, triad_error):
 
 def test_2_4_rows_are_the_sensitive_axes():
     a2, a3, b1, b3, g1, g2 = 1e-3 * np.arange(1, 7)
-    triad_error = [[0, b1, g1], [a2, 0, g2], [a3, b3, 0]]
+    error_matrix = [[0, b1, g1], [a2, 0, g2], [a3, b3, 0]]
     np.testing.assert_array_equal(
-        triad_matrix(triad_error), [[1, b1, g1], [a2, 1, g2], [a3, b3, 1]]
+        triad_matrix(error_matrix), [[1, b1, g1], [a2, 1, g2], [a3, b3, 1]]
     )
 
 
 @given(vectors(), matrices(0.3))
-def test_1_5_each_gyro_measures_along_its_axis(rate, triad_error):
-    along = [axis @ rate for axis in np.eye(3) + triad_error]
-    np.testing.assert_allclose(measured_rate(rate, triad_error), along, rtol=0, atol=8 * EPS * 20)
+def test_1_5_each_gyro_measures_along_its_axis(rate, error_matrix):
+    along = [axis @ rate for axis in np.eye(3) + error_matrix]
+    np.testing.assert_allclose(measured_rate(rate, error_matrix), along, rtol=0, atol=8 * EPS * 20)
 
 
 @pytest.mark.parametrize(
-    "triad_error",
+    "error_matrix",
     [-np.eye(3), [[0, 0, 0], [1, -1, 0], [0, 0, 0]], [[0, 0, 0], [0, 0, 0], [1, 1, -1]]],
     ids=["nothing measured", "two axes parallel", "three axes in a plane"],
 )
-def test_singular_triad_is_refused(triad_error):
-    with pytest.raises(ValueError, match=r"^triad_error: .* got a singular triad matrix I \+ M"):
-        triad_matrix(triad_error)
+def test_singular_triad_is_refused(error_matrix):
+    with pytest.raises(ValueError, match=r"^error_matrix: .* got a singular triad matrix I \+ M"):
+        triad_matrix(error_matrix)
 
 
 # Characteristic equation
@@ -98,7 +98,7 @@ def test_2_1_in_the_squares_of_the_two_rates(rate, measured):
 def test_2_1_in_the_copy_lacks_one_eps_t_eps_in_one_coefficient():
     rate, measured = np.array([1, 2, 3]), np.array([2, 0, 4])  # eps = [1, -2, 1]
     difference = characteristic_polynomial(rate, measured) - characteristic_polynomial(
-        rate, measured, in_the_copy=True
+        rate, measured, as_printed=True
     )
     np.testing.assert_array_equal(difference, [0, 0, 6, 0, 0])
 
@@ -109,7 +109,7 @@ def test_2_1_in_the_copy_has_the_roots_2_2_to_first_order(axis):
 
     def error(size, pair):
         measured = measured_rate(axis, size * SHAPE)
-        *_, middle, _, constant = characteristic_polynomial(axis, measured, in_the_copy=True)
+        *_, middle, _, constant = characteristic_polynomial(axis, measured, as_printed=True)
         fast = np.sqrt((middle + np.sqrt(middle**2 - 4 * constant)) / 2)
         slow = np.sqrt(constant) / fast
         exact = np.abs(exact_roots(axis, measured)[2 * pair].imag)
@@ -214,11 +214,11 @@ def test_rate_error_is_fixed_in_the_body_and_turns_with_it():
 
 
 @given(directions(), matrices(0.3))
-def test_only_the_symmetric_part_drifts(n, triad_error):
-    rho = n @ triad_error @ n / (n @ n)
-    assert drift_coefficient(n, triad_error) == pytest.approx(rho, abs=16 * EPS)
-    sigma = non_orthogonality(triad_error)
-    np.testing.assert_array_equal(sigma, 0.5 * (triad_error + triad_error.T))
+def test_only_the_symmetric_part_drifts(n, error_matrix):
+    rho = n @ error_matrix @ n / (n @ n)
+    assert drift_coefficient(n, error_matrix) == pytest.approx(rho, abs=16 * EPS)
+    sigma = non_orthogonality(error_matrix)
+    np.testing.assert_array_equal(sigma, 0.5 * (error_matrix + error_matrix.T))
     assert drift_coefficient(n, sigma) == pytest.approx(rho, abs=16 * EPS)
 
 
@@ -234,27 +234,27 @@ def test_a_skew_triad_drifts_at_second_order_only(n):
 
 
 @given(directions(), matrices(0.3))
-def test_exact_drift_in_every_digit(n, triad_error):
-    expected = exact_coefficient(n, triad_error)
+def test_exact_drift_in_every_digit(n, error_matrix):
+    expected = exact_coefficient(n, error_matrix)
     # The three terms of |A n|^2 - 1 may cancel; each is rounded at its own size.
-    size = np.abs(triad_error).sum()
-    assert _exact_drift_coefficient(n, triad_error) == pytest.approx(expected, abs=16 * EPS * size)
+    size = np.abs(error_matrix).sum()
+    assert _exact_drift_coefficient(n, error_matrix) == pytest.approx(expected, abs=16 * EPS * size)
 
 
 @pytest.mark.parametrize("size", [1e-300, 1e-15, 1e-12, 1e-6, 0.5, 1e6])
 @pytest.mark.filterwarnings("ignore::driftlab.checks.UnusualWarning")
 def test_exact_drift_of_any_size_keeps_its_digits(size):
-    triad_error = size * np.array([[1, 2, 0], [0, 1, 3], [1, 0, 1]])
-    expected = exact_coefficient([1, 1, 1], triad_error)
-    actual = _exact_drift_coefficient([1, 1, 1], triad_error)
+    error_matrix = size * np.array([[1, 2, 0], [0, 1, 3], [1, 0, 1]])
+    expected = exact_coefficient([1, 1, 1], error_matrix)
+    actual = _exact_drift_coefficient([1, 1, 1], error_matrix)
     np.testing.assert_allclose(actual, expected, rtol=16 * EPS)
 
 
 @pytest.mark.parametrize("left", [1e-6, 1e-9, 1e-11])
 def test_a_triad_that_hardly_sees_the_turn(left):
     """A n = left * n: the drift is minus a whole turn, and `left` of it is still resolved."""
-    triad_error = np.diag([0, 0, left - 1])
-    assert _exact_drift_coefficient([0, 0, 1], triad_error) + 1 == pytest.approx(left, abs=2 * EPS)
+    error_matrix = np.diag([0, 0, left - 1])
+    assert _exact_drift_coefficient([0, 0, 1], error_matrix) + 1 == pytest.approx(left, abs=2 * EPS)
 
 
 def test_roots_and_drift_agree():
@@ -279,7 +279,7 @@ def test_2_3_after_whole_turns_the_error_is_drift_alone(turns):
     axis = measured / np.linalg.norm(measured)
     np.testing.assert_allclose(
         error_quaternion(RATE, measured, time),
-        from_rotation_vector(turns * drift_per_turn(RATE, BENT) * axis),
+        from_rotation_vector(turns * drift_per_revolution(RATE, BENT) * axis),
         rtol=0,
         atol=bound,
     )
@@ -318,7 +318,7 @@ def test_split_has_the_roots_that_the_paper_gives():
     [
         (lambda zero: asymptotic_roots(zero, BENT), "rate"),
         (lambda zero: drift_coefficient(zero, BENT), "direction"),
-        (lambda zero: drift_per_turn(zero, BENT), "direction"),
+        (lambda zero: drift_per_revolution(zero, BENT), "direction"),
         (lambda zero: split_error_rate_matrix(zero, RATE), "rate"),
         (lambda zero: split_error_rate_matrix(RATE, zero), "measured_rate"),
     ],
@@ -334,27 +334,27 @@ def test_a_rotation_without_an_axis_is_refused(function, name):
 @pytest.mark.parametrize("sigma", [1e-2, 1e-3, 1e-4, -1e-3])
 def test_2_6_nu_is_2_sqrt2_pi_chi_to_first_order(sigma):
     """All six off-diagonals sigma: largest rho 2 sigma, about the space diagonal."""
-    triad_error = sigma * (np.ones((3, 3)) - np.eye(3))
-    coefficients, axes = principal_drifts(triad_error)
+    error_matrix = sigma * (np.ones((3, 3)) - np.eye(3))
+    coefficients, axes = principal_drifts(error_matrix)
     largest = np.abs(coefficients).argmax()
     assert coefficients[largest] == pytest.approx(2 * sigma, abs=4 * EPS)
     np.testing.assert_allclose(axes[largest], np.ones(3) / np.sqrt(3), rtol=0, atol=16 * EPS)
 
-    i_x = triad_matrix(triad_error)[0]
+    i_x = triad_matrix(error_matrix)[0]
     chi = np.copysign(np.arctan2(np.linalg.norm(i_x[1:]), i_x[0]), sigma)
-    nu = drift_per_turn(axes[largest], triad_error)
+    nu = drift_per_revolution(axes[largest], error_matrix)
     # nu = 4 pi sigma and tan(chi) = sqrt2 sigma, so that nu/chi misses by 2/3 sigma^2.
     assert nu / (2 * np.sqrt(2) * np.pi * chi) == pytest.approx(1, abs=sigma**2)
 
 
 @given(matrices(0.1), directions())
-def test_principal_drifts_bound_every_axis(triad_error, n):
-    coefficients, axes = principal_drifts(triad_error)
-    rho = drift_coefficient(n, triad_error)
+def test_principal_drifts_bound_every_axis(error_matrix, n):
+    coefficients, axes = principal_drifts(error_matrix)
+    rho = drift_coefficient(n, error_matrix)
     assert coefficients[0] - 16 * EPS <= rho <= coefficients[2] + 16 * EPS
     np.testing.assert_allclose(axes @ axes.T, np.eye(3), rtol=0, atol=32 * EPS)
     np.testing.assert_allclose(
-        drift_coefficient(axes, triad_error), coefficients, rtol=0, atol=32 * EPS
+        drift_coefficient(axes, error_matrix), coefficients, rtol=0, atol=32 * EPS
     )
     assert (axes.max(axis=1) == np.abs(axes).max(axis=1)).all()
 
@@ -387,14 +387,14 @@ def test_axes_must_be_unit_vectors():
 
 
 @given(matrices(0.3))
-def test_exact_principal_drifts_are_the_singular_values_less_one(triad_error):
-    coefficients, axes = principal_drifts(triad_error, exact=True)
-    singular = np.linalg.svd(np.eye(3) + triad_error, compute_uv=False)[::-1]
+def test_exact_principal_drifts_are_the_singular_values_less_one(error_matrix):
+    coefficients, axes = principal_drifts(error_matrix, exact=True)
+    singular = np.linalg.svd(np.eye(3) + error_matrix, compute_uv=False)[::-1]
     # The squares are exact to rounding; the root divides by twice the singular value.
     assume(singular[0] > 1e-2)
     np.testing.assert_allclose(coefficients, singular - 1, rtol=0, atol=1e3 * EPS)
     np.testing.assert_allclose(axes @ axes.T, np.eye(3), rtol=0, atol=16 * EPS)
-    at_axes = _exact_drift_coefficient(axes, triad_error)
+    at_axes = _exact_drift_coefficient(axes, error_matrix)
     np.testing.assert_allclose(at_axes, coefficients, rtol=0, atol=1e3 * EPS)
 
 

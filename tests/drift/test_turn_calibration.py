@@ -10,11 +10,11 @@ from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import (
     TurnExperiment,
-    earth_offset,
+    earth_rate_offset,
     exact_turn_estimate,
     turn_estimate,
 )
-from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing
+from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing_estimate
 from driftlab.quaternion import from_rotation_vector
 from driftlab.triad import non_orthogonality
 from support import EPS, directions, matrices, order_of
@@ -78,11 +78,11 @@ def test_half_a_turn_of_error_has_an_estimate():
 
 
 @every_turn
-@given(n=directions(), triad_error=matrices(0.05))
-def test_exact_estimate_is_the_kinematics_of_section_1(turns, n, triad_error):
+@given(n=directions(), error_matrix=matrices(0.05))
+def test_exact_estimate_is_the_kinematics_of_section_1(turns, n, error_matrix):
     n = n / np.linalg.norm(n)
-    error = error_quaternion(2 * np.pi * n, n @ (np.eye(3) + triad_error).T * 2 * np.pi, turns)
-    assert exact_turn_estimate(n, triad_error, turns) == pytest.approx(
+    error = error_quaternion(2 * np.pi * n, n @ (np.eye(3) + error_matrix).T * 2 * np.pi, turns)
+    assert exact_turn_estimate(n, error_matrix, turns) == pytest.approx(
         turn_estimate(error, n, turns), abs=16 * EPS
     )
 
@@ -123,8 +123,8 @@ def test_bias_of_the_method_is_of_second_order(turns):
 
 
 @given(matrices(0.1))
-def test_3_4_pair_axes_show_one_sigma_each(triad_error):
-    sigma = non_orthogonality(triad_error - np.diag(np.diag(triad_error)))
+def test_3_4_pair_axes_show_one_sigma_each(error_matrix):
+    sigma = non_orthogonality(error_matrix - np.diag(np.diag(error_matrix)))
     np.testing.assert_allclose(
         drift_coefficient(PAIR_AXES, sigma), sigma[[0, 0, 1], [1, 2, 2]], rtol=0, atol=4 * EPS
     )
@@ -251,7 +251,7 @@ def test_turn_about_no_axis_is_refused(function):
 
 @given(arrays(float, 3, elements=st.floats(-1, 1)), st.floats(-1, 1))
 def test_weighing_finds_the_three_and_cancels_a_common_offset(sigmas, offset):
-    weighed = weighing(np.append(sigmas, sigmas.sum()) + offset)
+    weighed = weighing_estimate(np.append(sigmas, sigmas.sum()) + offset)
     np.testing.assert_allclose(weighed, sigmas, rtol=0, atol=16 * EPS)
 
 
@@ -262,7 +262,7 @@ def test_weighing_in_the_papers_own_letters(s):
         (-s[0] + s[1] - s[2] + s[3]) / 2,
         (-s[0] - s[1] + s[2] + s[3]) / 2,
     ]
-    np.testing.assert_allclose(weighing(s), expected, rtol=0, atol=4 * EPS)
+    np.testing.assert_allclose(weighing_estimate(s), expected, rtol=0, atol=4 * EPS)
 
 
 @given(four_numbers)
@@ -270,11 +270,11 @@ def test_weighing_is_least_squares_with_an_unknown_offset(estimates):
     design = np.vstack([np.eye(3), np.ones(3)])
     with_offset = np.column_stack([design, np.ones(4)])
     expected = np.linalg.lstsq(with_offset, estimates)[0][:3]
-    np.testing.assert_allclose(weighing(estimates), expected, rtol=0, atol=64 * EPS)
+    np.testing.assert_allclose(weighing_estimate(estimates), expected, rtol=0, atol=64 * EPS)
 
 
 def test_variance_factors_one_by_weighing_three_quarters_by_least_squares():
-    weights = weighing(np.eye(4)).T
+    weights = weighing_estimate(np.eye(4)).T
     np.testing.assert_array_equal(np.diag(weights @ weights.T), 1)
     inverse = np.linalg.pinv(np.vstack([np.eye(3), np.ones(3)]))
     np.testing.assert_allclose(np.diag(inverse @ inverse.T), 0.75, rtol=16 * EPS)
@@ -282,7 +282,7 @@ def test_variance_factors_one_by_weighing_three_quarters_by_least_squares():
 
 def test_weighing_halves_the_variance_of_three_less_an_empty_pan():
     """What Yates made it for: four weighings on a scale with an unknown offset."""
-    weights = weighing(np.eye(4)).T
+    weights = weighing_estimate(np.eye(4)).T
     less_the_empty_pan = np.hstack([np.eye(3), -np.ones((3, 1))])
     for rows in (weights, less_the_empty_pan):
         np.testing.assert_array_equal(rows.sum(axis=1), 0)  # no offset is left
@@ -293,7 +293,7 @@ def test_weighing_halves_the_variance_of_three_less_an_empty_pan():
 
 def test_variance_of_the_weighing_on_larins_axes():
     """With 3/2 of the fourth estimate 21/16; least squares with an offset leaves none, for 2."""
-    weights = weighing(np.eye(4) * [1, 1, 1, 1.5]).T
+    weights = weighing_estimate(np.eye(4) * [1, 1, 1, 1.5]).T
     np.testing.assert_allclose((weights**2).sum(axis=1), 21 / 16, rtol=4 * EPS)
     variances = np.diag(fit_turns(np.zeros(4), YATES_AXES, "common").covariance)[:3]
     np.testing.assert_allclose(variances, 2, rtol=64 * EPS)  # the inverse of a 4 x 4 matrix
@@ -301,13 +301,13 @@ def test_variance_of_the_weighing_on_larins_axes():
 
 @given(four_numbers)
 def test_weighing_refines_if_half_of_the_sum_exceeds_the_fourth_error(errors):
-    change = (weighing(errors) ** 2).sum() - (errors[:3] ** 2).sum()
+    change = (weighing_estimate(errors) ** 2).sum() - (errors[:3] ** 2).sum()
     assert change == pytest.approx(errors[3] ** 2 - errors.sum() ** 2 / 4, abs=16 * EPS)
 
 
 def test_whole_experiment_finds_sigma_to_second_order():
     estimates = exact_turn_estimate(YATES_AXES, BENT)
-    weighed = weighing(estimates * [1, 1, 1, 1.5])
+    weighed = weighing_estimate(estimates * [1, 1, 1, 1.5])
     # Each estimate is |A n| - 1 but for third order: at most |M|^2/2 beside n^T Sigma n.
     bound = 0.5 * np.linalg.norm(BENT) ** 2 * (3 + 1.5) / 2
     np.testing.assert_allclose(weighed, SIGMAS, rtol=0, atol=bound)
@@ -326,7 +326,7 @@ def test_fit_is_numpys_least_squares(scale, count):
     fit = fit_turns(estimates, axes, scale)
     # Errors grow with the square of the design's condition number when there is a residual.
     bound = 16 * EPS * np.linalg.cond(design) ** 2 * np.linalg.norm(estimates)
-    np.testing.assert_allclose(np.append(fit.sigma, fit.scale), expected, rtol=0, atol=bound)
+    np.testing.assert_allclose(np.append(fit.sigma, fit.scale_factor), expected, rtol=0, atol=bound)
     np.testing.assert_allclose(
         fit.covariance @ design.T @ design, np.eye(design.shape[1]), rtol=0, atol=bound
     )
@@ -344,7 +344,7 @@ def test_fit_separates_scale_factors_from_non_orthogonality(scale, errors, found
     axes = random_axes(10)
     fit = fit_turns(drift_coefficient(axes, BENT + np.diag(errors)), axes, scale)
     np.testing.assert_allclose(fit.sigma, SIGMAS, rtol=0, atol=100 * EPS)
-    np.testing.assert_allclose(fit.scale, found, rtol=0, atol=100 * EPS)
+    np.testing.assert_allclose(fit.scale_factor, found, rtol=0, atol=100 * EPS)
 
 
 def test_common_offset_on_yates_axes_is_not_the_weighing():
@@ -354,8 +354,12 @@ def test_common_offset_on_yates_axes_is_not_the_weighing():
     shifted = fit_turns(estimates + offset, YATES_AXES, "common")
     plain = fit_turns(estimates, YATES_AXES, "common")
     np.testing.assert_allclose(shifted.sigma, plain.sigma, rtol=0, atol=32 * EPS)
-    np.testing.assert_allclose(shifted.scale - plain.scale, offset, rtol=0, atol=32 * EPS)
-    moved = weighing((estimates + offset) * [1, 1, 1, 1.5]) - weighing(estimates * [1, 1, 1, 1.5])
+    np.testing.assert_allclose(
+        shifted.scale_factor - plain.scale_factor, offset, rtol=0, atol=32 * EPS
+    )
+    moved = weighing_estimate((estimates + offset) * [1, 1, 1, 1.5]) - weighing_estimate(
+        estimates * [1, 1, 1, 1.5]
+    )
     np.testing.assert_allclose(moved, offset / 4, rtol=0, atol=8 * EPS)
 
 
@@ -365,18 +369,18 @@ def test_fit_broadcasts_over_rows_of_estimates():
     estimates.setflags(write=False)
     axes.setflags(write=False)
     fit = fit_turns(estimates, axes, "each")
-    assert fit.sigma.shape == fit.scale.shape == (2, 4, 3)
+    assert fit.sigma.shape == fit.scale_factor.shape == (2, 4, 3)
     for index in np.ndindex(2, 4):
         one = fit_turns(estimates[index], axes, "each")
         np.testing.assert_allclose(fit.sigma[index], one.sigma, rtol=0, atol=64 * EPS)
-        np.testing.assert_allclose(fit.scale[index], one.scale, rtol=0, atol=64 * EPS)
+        np.testing.assert_allclose(fit.scale_factor[index], one.scale_factor, rtol=0, atol=64 * EPS)
 
 
 @pytest.mark.parametrize("scale", ["none", "common", "each"])
 def test_covariance_is_that_of_many_noisy_fits(scale):
     axes, count = random_axes(9), 20000
     fit = fit_turns(np.random.default_rng(4).normal(size=(count, 9)), axes, scale)
-    found = np.cov(np.hstack([fit.sigma, fit.scale]).T)
+    found = np.cov(np.hstack([fit.sigma, fit.scale_factor]).T)
     # A sample covariance of Gaussians has the variance (C_ii C_jj + C_ij^2)/N; five sigma.
     variances = np.diag(fit.covariance)
     spread = np.sqrt((np.outer(variances, variances) + fit.covariance**2) / count)
@@ -405,7 +409,12 @@ def test_axes_that_do_not_determine_the_unknowns_are_refused(axes, scale, unknow
 @pytest.mark.parametrize(
     ("estimates", "axes", "scale", "sentence"),
     [
-        (np.zeros(3), PAIR_AXES, "one", "^scale: expected one of none, common, each, got 'one'"),
+        (
+            np.zeros(3),
+            PAIR_AXES,
+            "one",
+            "^scale_factor: expected one of none, common, each, got 'one'",
+        ),
         (np.zeros(4), PAIR_AXES, "none", r"^estimates: expected shape \(\.\.\., 3\)"),
         (np.zeros(3), PAIR_AXES[0], "none", r"^axes: expected shape \(m, 3\), got shape \(3,\)"),
         (np.zeros(3), np.zeros((3, 3)), "none", "^axes: expected nonzero vectors"),
@@ -424,30 +433,30 @@ EIGHT, RATES = np.tile(YATES_AXES, (2, 1)), np.repeat([0.2, -0.15], 4)
 BIAS, UPWARD = np.array([2e-6, -1e-6, 5e-7]), 4.7e-5
 
 
-def real_estimates(axes, rates, triad_error=BENT):
+def real_estimates(axes, rates, error_matrix=BENT):
     """First order: n^T Sigma n, and what the Earth's rate and the biases add in a radian's time."""
-    return drift_coefficient(axes, triad_error) + (UPWARD + axes @ BIAS) / rates
+    return drift_coefficient(axes, error_matrix) + (UPWARD + axes @ BIAS) / rates
 
 
 def test_earth_offset_by_hand():
     """One turn in a sidereal day is the Earth's own; it reverses with the sense."""
     day = 2 * np.pi / 86164.1  # rad/s
-    assert earth_offset(np.arcsin(0.9), day) == pytest.approx(0.9, rel=1e-6)
-    assert earth_offset(np.pi / 6, -10 * day) == pytest.approx(-0.05, rel=1e-6)
-    assert earth_offset(0.7, day, [1, 0, 0]) == 0  # to the East
-    assert earth_offset(0.0, day, [0, 3, 0]) == pytest.approx(1, rel=1e-6)  # to the North
+    assert earth_rate_offset(np.arcsin(0.9), day) == pytest.approx(0.9, rel=1e-6)
+    assert earth_rate_offset(np.pi / 6, -10 * day) == pytest.approx(-0.05, rel=1e-6)
+    assert earth_rate_offset(0.7, day, [1, 0, 0]) == 0  # to the East
+    assert earth_rate_offset(0.0, day, [0, 3, 0]) == pytest.approx(1, rel=1e-6)  # to the North
 
 
 def test_earth_offset_of_a_table_at_rest_is_refused():
     with pytest.raises(
         ValueError, match=r"^table_rate: expected rates of at least 1e-50 in size, got 0"
     ):
-        earth_offset(0.7, [0.1, 0.0])
+        earth_rate_offset(0.7, [0.1, 0.0])
 
 
 def test_earth_offset_takes_no_degrees_for_a_latitude():
     with pytest.raises(ValueError, match=r"^latitude: expected at most 89\.9 degrees .* 37\.5 rad"):
-        earth_offset(37.5, 0.1)
+        earth_rate_offset(37.5, 0.1)
 
 
 def test_fit_takes_off_the_known_earth_and_finds_the_biases():
@@ -460,7 +469,7 @@ def test_fit_takes_off_the_known_earth_and_finds_the_biases():
     )
     np.testing.assert_allclose(fit.sigma, SIGMAS, rtol=0, atol=100 * EPS)
     np.testing.assert_allclose(fit.gyro_bias, BIAS, rtol=0, atol=100 * EPS)
-    assert fit.scale.shape == fit.earth_rate.shape == (0,)
+    assert fit.scale_factor.shape == fit.earth_rate.shape == (0,)
 
 
 @given(offset=st.floats(-1e-2, 1e-2))
@@ -473,7 +482,7 @@ def test_eight_turns_determine_eight_unknowns(offset):
         earth_rate="unknown",
         gyro_bias=True,
     )
-    found = np.hstack([fit.sigma, fit.scale, fit.gyro_bias, fit.earth_rate])
+    found = np.hstack([fit.sigma, fit.scale_factor, fit.gyro_bias, fit.earth_rate])
     expected = np.hstack([SIGMAS, offset, BIAS, UPWARD])
     np.testing.assert_allclose(found, expected, rtol=0, atol=400 * EPS)
     assert fit.covariance.shape == (8, 8)
@@ -514,7 +523,7 @@ def test_for_one_rate_and_sense_the_unknown_earth_is_the_common_offset():
     unknown = fit_turns(estimates, YATES_AXES, table_rates=rates, earth_rate="unknown")
     common = fit_turns(estimates, YATES_AXES, "common")
     np.testing.assert_allclose(unknown.sigma, common.sigma, rtol=0, atol=32 * EPS)
-    np.testing.assert_allclose(unknown.earth_rate, 0.3 * common.scale, rtol=0, atol=32 * EPS)
+    np.testing.assert_allclose(unknown.earth_rate, 0.3 * common.scale_factor, rtol=0, atol=32 * EPS)
     with pytest.raises(ValueError, match=r"^axes: expected turns that determine 5 unknowns"):
         fit_turns(
             np.tile(estimates, 2),

@@ -39,8 +39,8 @@ def test_no_level_rate_of_a_size_turns_the_heading_farther_than_the_arcsine():
     # The tangent of arcsin(s/L) is s / sqrt(L^2 - s^2).
     assert sp.simplify((tangent.subs(direction, worst)) ** 2 - 1 / (level**2 / size**2 - 1)) == 0
     seen = rate_contradiction(LEVEL + 0.3 * LEVEL, latitude=LATITUDE)
-    assert seen.heading_doubt == pytest.approx(np.arcsin(0.3))
-    assert rate_contradiction(5.0, UP, LATITUDE).heading_doubt == np.pi / 2
+    assert seen.heading_uncertainty == pytest.approx(np.arcsin(0.3))
+    assert rate_contradiction(5.0, UP, LATITUDE).heading_uncertainty == np.pi / 2
 
 
 def test_the_arcsine_is_also_the_bound_when_the_level_rate_is_the_one_found():
@@ -53,8 +53,8 @@ def test_the_arcsine_is_also_the_bound_when_the_level_rate_is_the_one_found():
 def test_two_directions_are_their_root_mean_square():
     seen = rate_contradiction(LEVEL + 3e-7, UP - 4e-7, LATITUDE)
     assert seen.spurious_rate == pytest.approx(5e-7 / np.sqrt(2))
-    assert seen.heading_doubt == pytest.approx(np.arcsin(5e-7 / np.sqrt(2) / LEVEL))
-    assert seen.rate_excess == pytest.approx(np.hypot(LEVEL + 3e-7, UP - 4e-7) - EARTH_RATE)
+    assert seen.heading_uncertainty == pytest.approx(np.arcsin(5e-7 / np.sqrt(2) / LEVEL))
+    assert seen.rate_discrepancy == pytest.approx(np.hypot(LEVEL + 3e-7, UP - 4e-7) - EARTH_RATE)
 
 
 def test_without_a_unit_the_least_rate_that_explains_the_latitude_counts():
@@ -63,16 +63,16 @@ def test_without_a_unit_the_least_rate_that_explains_the_latitude_counts():
     direction = np.array([np.cos(0.8), np.sin(0.8)])
     least = np.hypot(*(scales * direction[:, np.newaxis] - np.array([[LEVEL], [UP]]))).min()
     assert seen.spurious_rate == pytest.approx(least, rel=1e-6)
-    assert seen.latitude_excess == pytest.approx(0.8 - LATITUDE)
-    assert np.isnan(seen.rate_excess)
+    assert seen.latitude_discrepancy == pytest.approx(0.8 - LATITUDE)
+    assert np.isnan(seen.rate_discrepancy)
 
 
 def test_a_level_rate_alone_needs_the_latitude():
     seen = rate_contradiction(1.01 * LEVEL, latitude=LATITUDE)
-    assert seen.heading_doubt == pytest.approx(np.arcsin(0.01))
-    assert np.isnan(rate_contradiction(LEVEL).heading_doubt)
-    assert rate_contradiction(1.1 * EARTH_RATE).heading_doubt == pytest.approx(np.arcsin(0.1))
-    assert np.isnan(rate_contradiction(1.0, 2.0, size_known=False).heading_doubt)
+    assert seen.heading_uncertainty == pytest.approx(np.arcsin(0.01))
+    assert np.isnan(rate_contradiction(LEVEL).heading_uncertainty)
+    assert rate_contradiction(1.1 * EARTH_RATE).heading_uncertainty == pytest.approx(np.arcsin(0.1))
+    assert np.isnan(rate_contradiction(1.0, 2.0, size_known=False).heading_uncertainty)
 
 
 # Chances
@@ -82,7 +82,7 @@ def biased(deviation, runs, seed):
     """Alignments with drifts in all directions that turn the heading by a deviation."""
     drifts = deviation * LEVEL * np.random.default_rng(seed).standard_normal((runs, 3))
     found = quietly(RATE + drifts, latitude=LATITUDE)
-    return np.abs(wrap_angle(found.heading - 2.0)), found.heading_doubt
+    return np.abs(wrap_angle(found.heading - 2.0)), found.heading_uncertainty
 
 
 @pytest.mark.parametrize("ratio", [1.0, 2.0])
@@ -115,7 +115,7 @@ def test_large_errors_without_an_alarm_are_few_whatever_the_drifts(deviation):
 def test_what_is_warned_of_is_named_with_its_size_and_what_to_do():
     with pytest.warns(InconsistentAlignmentWarning) as caught:
         found = align(1.02 * RATE, FORCE, latitude=LATITUDE + np.radians(1.0))
-    turned = f"by {np.degrees(found.heading_doubt):.2g} degrees."
+    turned = f"by {np.degrees(found.heading_uncertainty):.2g} degrees."
     words = str(caught[0].message)
     assert words.startswith("angular_rate: expected the rate of the Earth")
     for part in ("+0.301 deg/h", "-1 degrees", turned, "align_in_inertial_frame("):
@@ -127,7 +127,7 @@ def test_of_many_the_worst_is_told():
     rates = np.stack([1.0 * RATE, 1.02 * RATE, 1.03 * RATE])
     with pytest.warns(InconsistentAlignmentWarning, match=r"in 2 of 3 .* rate by \+0\.451 deg/h"):
         found = align(rates, FORCE)
-    assert found.heading_doubt.shape == (3,)
+    assert found.heading_uncertainty.shape == (3,)
 
 
 @pytest.mark.parametrize("size", [1.0, np.radians(1 / 3600), np.radians(1), 100.0])
@@ -136,8 +136,8 @@ def test_the_unit_is_told_or_there_is_none(size):
     rate = 1.2 * RATE / size
     found = align(rate, FORCE, latitude=LATITUDE, rate_unit=None)
     told = quietly(rate, latitude=LATITUDE, rate_unit=size)
-    assert told.rate_excess == pytest.approx(0.2 * EARTH_RATE)
-    assert np.isnan(found.rate_excess)
+    assert told.rate_discrepancy == pytest.approx(0.2 * EARTH_RATE)
+    assert np.isnan(found.rate_discrepancy)
     assert found.level_rate == pytest.approx(1.2 * LEVEL / size)
 
 
@@ -147,7 +147,7 @@ def test_the_more_is_wrong_the_more_is_said(factor, place):
     """In the right direction, so the size alone tells of it: at 2 it was silent once."""
     with pytest.warns(InconsistentAlignmentWarning) as caught:
         found = align(factor * RATE, FORCE, latitude=place)
-    assert found.heading_doubt > np.radians(3)
+    assert found.heading_uncertainty > np.radians(3)
     assert ("tell rate_unit" in str(caught[0].message)) == (not 0.53 < factor < 1.9)
 
 
@@ -210,7 +210,7 @@ def test_the_parked_car_gives_the_alarm_where_its_heading_is_wrong(seconds, alar
     means = [part.mean(axis=-2) / parts.interval for part in parts[1:]]
     found = align(*means, latitude=latitude, heading_tolerance=np.inf)
     wrong = np.degrees(np.abs(wrap_angle(found.heading + np.radians(90.6))))
-    alarm = found.heading_doubt > np.radians(0.5)
+    alarm = found.heading_uncertainty > np.radians(0.5)
     assert alarm.sum() == alarms
     # Every error above a degree is warned of. A quarter of the alarms is false, one error of six
     # in silence is above the tolerance.
@@ -219,7 +219,7 @@ def test_the_parked_car_gives_the_alarm_where_its_heading_is_wrong(seconds, alar
     assert np.sum(~alarm & (wrong > 0.5)) <= 1
     # How large they are is not told: the car leans about one line more than about others.
     if seconds == 70:
-        assert (wrong / np.degrees(found.heading_doubt)).max() > 10
+        assert (wrong / np.degrees(found.heading_uncertainty)).max() > 10
 
 
 def test_gravity_in_inertial_space_holds_on_every_five_minutes_and_every_restart():

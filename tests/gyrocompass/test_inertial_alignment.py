@@ -14,7 +14,7 @@ from driftlab.gyrocompass.alignment import align, alignment_attitude_error
 from driftlab.gyrocompass.inertial_alignment import (
     _DENSITIES,
     align_in_inertial_frame,
-    inertial_alignment_deviation,
+    inertial_alignment_standard_deviation,
 )
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import smooth_step, static_imu, vehicle_trajectory
@@ -219,7 +219,9 @@ def test_deviations_foretold_and_stated_are_those_of_many_runs(velocity):
     rng = np.random.default_rng(6)
     runs = 300
     found = align_in_inertial_frame(noisy(runs, rng, velocity=velocity), LATITUDE)
-    foretold = inertial_alignment_deviation(LATITUDE, 200.0, WALK, velocity * np.sqrt(0.25))
+    foretold = inertial_alignment_standard_deviation(
+        LATITUDE, 200.0, WALK, velocity * np.sqrt(0.25)
+    )
     scatter = np.sqrt(np.mean(found.heading**2))
     # A deviation of 300 runs is known to 4 per cent; three of these.
     assert abs(scatter / foretold - 1) < 0.13
@@ -385,7 +387,9 @@ def test_gyros_that_sleep_are_refused_and_noise_that_hides_the_earth_is_not():
     drifting = rows._replace(angle=rows.angle - 0.25 * 0.95 * level * np.array([1.0, 0.0, 0.0]))
     with pytest.raises(ValueError, match="gravity moves"):
         align_in_inertial_frame(drifting, LATITUDE)
-    shaken = 1e-3 / inertial_alignment_deviation(LATITUDE, 200.0, 0.0, 1e-3 * np.sqrt(0.25))
+    shaken = 1e-3 / inertial_alignment_standard_deviation(
+        LATITUDE, 200.0, 0.0, 1e-3 * np.sqrt(0.25)
+    )
     velocity = rows.velocity + shaken * np.diff(rng.standard_normal((40, 801, 3)), axis=-2)
     found = align_in_inertial_frame(drifting._replace(velocity=velocity), LATITUDE)
     assert found.deviation.min() > 0.2
@@ -412,11 +416,11 @@ def test_poles_and_bad_numbers_are_refused():
             Increments(0.2, np.stack([rows.angle] * 2), np.stack([rows.velocity] * 3)), LATITUDE
         )
     with pytest.raises(ValueError, match="duration: expected numbers above 0, got 0"):
-        inertial_alignment_deviation(LATITUDE, [0.0, 60.0], WALK)
+        inertial_alignment_standard_deviation(LATITUDE, [0.0, 60.0], WALK)
     with pytest.raises(ValueError, match="angle_random_walk: expected a number of at least 0"):
-        inertial_alignment_deviation(LATITUDE, 10.0, -WALK)
+        inertial_alignment_standard_deviation(LATITUDE, 10.0, -WALK)
     with pytest.raises(ValueError, match="velocity_noise: expected a number of at least 0"):
-        inertial_alignment_deviation(LATITUDE, 10.0, WALK, -1.0)
+        inertial_alignment_standard_deviation(LATITUDE, 10.0, WALK, -1.0)
 
 
 def test_half_an_hour_at_a_hundred_a_second_takes_a_moment():

@@ -36,12 +36,12 @@ def test_responses_to_noise_add_up_to_the_closed_form() -> None:
 def test_only_an_untuned_loop_with_a_log_feels_the_acceleration() -> None:
     frequency = [1e-5, 1e-3, 1.0]
     tuned = Gains(2e-4, 1 / EARTH_RADIUS)
-    with_log = level_loop(tuned, GRAVITY, log=True)
+    with_log = level_loop(tuned, GRAVITY, speed_log=True)
     assert not with_log.acceleration(frequency).rate.any()
-    assert not level_loop(tuned, GRAVITY).log_error(frequency).rate.any()
+    assert not level_loop(tuned, GRAVITY).speed_log_error(frequency).rate.any()
     stiff = Gains(2e-4, 2 / EARTH_RADIUS)
     # What is wanted in place of k2 = 1/R is felt as if it were an error of the accelerometer.
-    felt = level_loop(stiff, GRAVITY, log=True).acceleration(frequency).tilt
+    felt = level_loop(stiff, GRAVITY, speed_log=True).acceleration(frequency).tilt
     wrong = level_loop(Gains(0.0, stiff.integral), GRAVITY).accelerometer_bias(frequency).tilt
     assert np.all(np.abs(felt) < np.abs(wrong))
 
@@ -60,15 +60,15 @@ def test_impossible_loops_are_refused(arguments: dict[str, object], words: str) 
         level_loop(**{"gains": schuler_gains(), "gravity": GRAVITY, **arguments})  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("log", [False, True])
-def test_responses_solve_the_equations_of_the_loop(log: bool) -> None:
+@pytest.mark.parametrize("speed_log", [False, True])
+def test_responses_solve_the_equations_of_the_loop(speed_log: bool) -> None:
     """Tilt and integral turn as gravity, drift and the ship's way make them, one swing at a time.
 
     The horizon turns by k1 f and the integral r, which grows by k2 f, with f what is felt: g times
     the tilt, the accelerometer's error, the ship's acceleration, which the log explains to k1.
     """
     (k1, k2), g, radius = Gains(3e-3, 4e-5), 9.8, 5e4
-    loop = level_loop(Gains(k1, k2), g, log=log, radius=radius)
+    loop = level_loop(Gains(k1, k2), g, speed_log=speed_log, radius=radius)
     swings = np.array([1e-3, 0.02, 0.5])
     for place, swing in enumerate(swings):
         s = 1j * swing
@@ -77,8 +77,8 @@ def test_responses_solve_the_equations_of_the_loop(log: bool) -> None:
         for response, inputs, told in (
             (loop.gyro_bias, [-1, 0], 0),
             (loop.accelerometer_bias, [-k1, k2], 0),
-            (loop.acceleration, [way - (0 if log else k1), k2], way),
-            (loop.log_error, [k1 * s if log else 0, 0], 1 / radius if log else 0),
+            (loop.acceleration, [way - (0 if speed_log else k1), k2], way),
+            (loop.speed_log_error, [k1 * s if speed_log else 0, 0], 1 / radius if speed_log else 0),
         ):
             tilt, integral = np.linalg.solve(equations, np.array(inputs, complex))
             found = response(swings)

@@ -12,12 +12,14 @@ from driftlab.gyrocompass.noise import GyroNoise
 from driftlab.gyrocompass.noise_fit import fit_gyro_noise
 from support import EPS
 
-MIXED = GyroNoise(white=0.7, slow=1.3, correlation_time=4.0, interval=0.5)
-WHITE = GyroNoise(white=0.7, slow=0.0)
-SLOW = GyroNoise(white=0.0, slow=1.3, correlation_time=4.0, interval=0.5)
-ROUNDED = GyroNoise(white=0.7, slow=1.3, correlation_time=4.0, interval=0.5, quantisation=0.4)
+MIXED = GyroNoise(white=0.7, gauss_markov=1.3, correlation_time=4.0, interval=0.5)
+WHITE = GyroNoise(white=0.7, gauss_markov=0.0)
+SLOW = GyroNoise(white=0.0, gauss_markov=1.3, correlation_time=4.0, interval=0.5)
+ROUNDED = GyroNoise(
+    white=0.7, gauss_markov=1.3, correlation_time=4.0, interval=0.5, quantisation=0.4
+)
 kinds = pytest.mark.parametrize(
-    "noise", [MIXED, WHITE, SLOW, ROUNDED], ids=["mixed", "white", "slow", "rounded"]
+    "noise", [MIXED, WHITE, SLOW, ROUNDED], ids=["mixed", "white", "gauss_markov", "rounded"]
 )
 
 
@@ -31,7 +33,7 @@ def covariance(noise, count):
     neighbours = np.zeros(count)
     neighbours[:2] = (2 * rounding, -rounding)[:count]
     return (
-        noise.slow**2 * toeplitz(np.exp(-delays / noise.correlation_time))
+        noise.gauss_markov**2 * toeplitz(np.exp(-delays / noise.correlation_time))
         + noise.white**2 * np.eye(count)
         + toeplitz(neighbours)
     )
@@ -83,7 +85,9 @@ def test_same_seed_gives_the_same_noise_and_another_one_does_not():
 
 
 def test_noise_scales_with_its_sizes():
-    double = GyroNoise(2 * MIXED.white, 2 * MIXED.slow, MIXED.correlation_time, MIXED.interval)
+    double = GyroNoise(
+        2 * MIXED.white, 2 * MIXED.gauss_markov, MIXED.correlation_time, MIXED.interval
+    )
     found = (noise.samples(50, np.random.default_rng(3)) for noise in (MIXED, double))
     once, twice = found
     np.testing.assert_allclose(twice, 2 * once, rtol=4 * EPS)
@@ -96,7 +100,7 @@ def test_noise_scales_with_its_sizes():
 @pytest.mark.parametrize("count", [1, 2, 3, 17, 400])
 def test_deviation_of_mean_is_the_sum_over_all_pairs(noise, count):
     expected = np.sqrt(covariance(noise, count).sum()) / count
-    assert noise.deviation_of_mean(count) == pytest.approx(expected, rel=1e-12)
+    assert noise.standard_deviation_of_mean(count) == pytest.approx(expected, rel=1e-12)
 
 
 @pytest.mark.parametrize("count", [1, 36, 625, 2000])
@@ -104,12 +108,14 @@ def test_deviation_of_mean_of_the_default_noise(count):
     """Its interval is 36000 times shorter than its correlation time, which costs digits."""
     noise = GyroNoise()
     expected = np.sqrt(covariance(noise, count).sum()) / count
-    assert noise.deviation_of_mean(count) == pytest.approx(expected, rel=1e-9)
+    assert noise.standard_deviation_of_mean(count) == pytest.approx(expected, rel=1e-9)
 
 
 def test_white_noise_falls_with_the_square_root():
     for count in (1, 4, 625, 10**6):
-        assert WHITE.deviation_of_mean(count) == pytest.approx(0.7 / np.sqrt(count), rel=1e-14)
+        assert WHITE.standard_deviation_of_mean(count) == pytest.approx(
+            0.7 / np.sqrt(count), rel=1e-14
+        )
 
 
 @pytest.mark.parametrize("window", [0.01, 0.3, 1.0, 10.0, 1000.0])
@@ -120,15 +126,15 @@ def test_slow_noise_in_short_steps_is_averaged_as_in_continuous_time(window):
     expected = 1.3 * np.sqrt(2 * (window + np.expm1(-window))) / window
     # A sum for an integral: second order in the step, down to the digits that short steps cost.
     allowed = max((window / steps) ** 2, 1e-8)
-    assert noise.deviation_of_mean(steps) == pytest.approx(expected, rel=allowed)
+    assert noise.standard_deviation_of_mean(steps) == pytest.approx(expected, rel=allowed)
 
 
 def test_slow_noise_averages_away_only_in_windows_longer_than_its_correlation_time():
     hour = 3600.0
     noise = GyroNoise(0.0, 1.0, hour, 1.0)
-    assert noise.deviation_of_mean(60) == pytest.approx(1, abs=0.004)
+    assert noise.standard_deviation_of_mean(60) == pytest.approx(1, abs=0.004)
     # sqrt(2 T/t) of it, less the two ends.
-    assert noise.deviation_of_mean(100 * 3600) == pytest.approx(
+    assert noise.standard_deviation_of_mean(100 * 3600) == pytest.approx(
         np.sqrt(2 / 100 * (1 - 1 / 100)), 1e-6
     )
 
@@ -138,7 +144,7 @@ def test_means_of_samples_are_as_large_as_stated(noise):
     rows = noise.samples(40, np.random.default_rng(4), 20000)
     # Of the means of 12 here, at the beginning and at the end of the rows, two far apart.
     means = np.stack([rows[:, :12].mean(axis=1), rows[:, -12:].mean(axis=1)], axis=1)
-    ends = means / noise.deviation_of_mean(12)
+    ends = means / noise.standard_deviation_of_mean(12)
     low, high = chi2.ppf([0.5e-6, 1 - 0.5e-6], 20000) / 20000
     squares = (ends**2).mean(axis=0)
     assert (low < squares).all()
@@ -148,14 +154,14 @@ def test_means_of_samples_are_as_large_as_stated(noise):
 def test_rounding_falls_with_the_window_itself():
     noise = GyroNoise(0.0, 0.0, interval=0.5, quantisation=0.4)
     for count in (1, 10, 1000):
-        assert noise.deviation_of_mean(count) == pytest.approx(0.8 * np.sqrt(2) / count)
+        assert noise.standard_deviation_of_mean(count) == pytest.approx(0.8 * np.sqrt(2) / count)
         # The same standard deviation as of an angle that is rounded to steps.
     step, rng = 0.3, np.random.default_rng(7)
     angle = np.cumsum(rng.normal(size=(4000, 11)), axis=-1)
     error = np.diff(step * np.round(angle / step) - angle)
     stated = GyroNoise(0.0, 0.0, interval=1.0, quantisation=step / np.sqrt(12))
     low, high = chi2.ppf([0.5e-6, 1 - 0.5e-6], 4000) / 4000
-    squares = np.mean((error.mean(axis=-1) / stated.deviation_of_mean(10)) ** 2)
+    squares = np.mean((error.mean(axis=-1) / stated.standard_deviation_of_mean(10)) ** 2)
     assert low < squares < high
 
 
@@ -165,10 +171,15 @@ def test_rounding_falls_with_the_window_itself():
 @kinds
 @pytest.mark.parametrize("count", [1, 4, 50, 1000])
 def test_allan_deviation_is_half_the_square_of_neighbouring_means_differing(noise, count):
-    fine = GyroNoise(noise.white * 20, noise.slow, 4.0, noise.interval / 400, noise.quantisation)
+    fine = GyroNoise(
+        noise.white * 20, noise.gauss_markov, 4.0, noise.interval / 400, noise.quantisation
+    )
     number = 400 * count
     # Var(a - b)/2 of neighbouring means a, b, by the means of one and of both stretches.
-    expected = 2 * (fine.deviation_of_mean(number) ** 2 - fine.deviation_of_mean(2 * number) ** 2)
+    expected = 2 * (
+        fine.standard_deviation_of_mean(number) ** 2
+        - fine.standard_deviation_of_mean(2 * number) ** 2
+    )
     found = noise.allan_deviation(count * noise.interval)
     # Sums for integrals: second order in the step.
     assert found**2 == pytest.approx(expected, rel=1e-5)
@@ -177,7 +188,7 @@ def test_allan_deviation_is_half_the_square_of_neighbouring_means_differing(nois
 @pytest.mark.parametrize("count", [1, 2, 5, 30])
 def test_samples_of_the_slow_part_have_a_little_more_in_short_times(count):
     noise = GyroNoise(0.0, 1.0, 1e4, 0.1)
-    stretches = [noise.deviation_of_mean(number) ** 2 for number in (count, 2 * count)]
+    stretches = [noise.standard_deviation_of_mean(number) ** 2 for number in (count, 2 * count)]
     sampled = np.sqrt(2 * (stretches[0] - stretches[1]))
     expected = np.sqrt(1 + 1 / (2 * count**2)) * noise.allan_deviation(0.1 * count)
     # First order in tau/T, and the digits lost in the difference of nearly equal squares.
@@ -220,7 +231,7 @@ def test_a_fit_finds_the_noise_again(noise):
     found = fit_gyro_noise(record)
     np.testing.assert_allclose(found.allan_deviation(times), exact, rtol=1e-3)
     assert found.interval == noise.interval
-    for name in ("white", "slow", "quantisation"):
+    for name in ("white", "gauss_markov", "quantisation"):
         if getattr(noise, name):
             assert getattr(found, name) == pytest.approx(getattr(noise, name), rel=0.02), name
 
@@ -269,13 +280,17 @@ def test_default_noise_in_the_units_of_the_paper():
     hourly = np.pi / 180 / 3600
     noise = GyroNoise()
     assert noise.white / hourly == pytest.approx(0.5)
-    assert noise.slow / hourly == pytest.approx(0.01)
+    assert noise.gauss_markov / hourly == pytest.approx(0.01)
     assert (noise.correlation_time, noise.interval) == (3600, 0.1)
 
 
 @pytest.mark.parametrize("name", [field.name for field in fields(GyroNoise)])
 def test_impossible_noise_is_refused_by_name(name):
-    kind = "number of at least 0" if name in ("white", "slow", "quantisation") else "positive time"
+    kind = (
+        "number of at least 0"
+        if name in ("white", "gauss_markov", "quantisation")
+        else "positive time"
+    )
     with pytest.raises(ValueError, match=rf"^{name}: expected a {kind}, got -1e-09\.$"):
         GyroNoise(**{name: -1e-9})
     with pytest.raises(ValueError, match=rf"^{name}: expected finite numbers, got 1 NaN"):
@@ -299,13 +314,13 @@ def test_counts_that_are_no_counts_are_refused(count):
     with pytest.raises(ValueError, match=words.format("count")):
         MIXED.samples(count, np.random.default_rng(0))
     with pytest.raises(ValueError, match=words.format("count")):
-        MIXED.deviation_of_mean(count)
+        MIXED.standard_deviation_of_mean(count)
 
 
 @pytest.mark.parametrize("correlation_time", [1e6, 1e9, 1e15])
 def test_what_hardly_changes_does_not_average_away(correlation_time):
     noise = GyroNoise(0.0, 1.0, correlation_time, 0.1)
-    assert noise.deviation_of_mean(1) == 1.0
+    assert noise.standard_deviation_of_mean(1) == 1.0
     # 1 - n h/(3 T) to first order in n h/T.
     expected = np.sqrt(1 - 100 * 0.1 / (3 * correlation_time))
-    assert noise.deviation_of_mean(100) == pytest.approx(expected, abs=1e-9)
+    assert noise.standard_deviation_of_mean(100) == pytest.approx(expected, abs=1e-9)

@@ -11,7 +11,7 @@ from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.heading_error import operating_heading_error
 from driftlab.gyrocompass.levelling import initial_level_frame, propagate_level_frame
 from driftlab.gyrocompass.levelling_loop import Gains, damped_gains
-from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import rotate
@@ -20,18 +20,24 @@ from support import largest
 DRIFT = np.array([0.03, 0.05, -0.04]) * degree / hour
 
 
-@pytest.mark.parametrize("log", [False, True])
+@pytest.mark.parametrize("speed_log", [False, True])
 @pytest.mark.parametrize("damping", [0.3, 0.9])
-def test_the_formula_of_a_damped_compass_needs_the_proportional_part(damping, log):
+def test_the_formula_of_a_damped_compass_needs_the_proportional_part(damping, speed_log):
     """A fast craft with drifts and offsets, set out with a tilt, gathers way and turns."""
     way = ship_manoeuvre(speed=20.0, course=0.4, turn=1.2, interval=2.0, pitch=0.6)
-    run = simulate_compass(
-        way, DRIFT, [2e-4, 0.0, -3e-4], damping=damping, tilt=arcminute, log=log, tuning_factor=1.05
+    run = simulate_gyrocompass(
+        way,
+        DRIFT,
+        [2e-4, 0.0, -3e-4],
+        damping=damping,
+        tilt=arcminute,
+        speed_log=speed_log,
+        tuning_factor=1.05,
     )
     left = run.heading_error - run.formula.heading
     # Of second order: the compass's North is off by the speed error and by its own.
     angles = largest(run.heading_error) + largest(run.yaw_error) + largest(run.tilt)
-    assert largest(left) < (angles + (0 if log else largest(run.speed_error))) ** 2
+    assert largest(left) < (angles + (0 if speed_log else largest(run.speed_error))) ** 2
     # The paper's formula is that of another compass, which reads the whole rate.
     whole = _of_whole_rates(run, way, DRIFT)
     assert largest(run.heading_error - whole) > 10 * largest(left)

@@ -10,10 +10,13 @@ from scipy.spatial.transform import Rotation
 from driftlab.earth import EARTH_RATE
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import InconsistentAlignmentWarning, align
-from driftlab.gyrocompass.alignment_deviations import alignment_deviation, two_position_deviation
-from driftlab.gyrocompass.inertial_alignment import inertial_alignment_deviation
+from driftlab.gyrocompass.alignment_deviations import (
+    alignment_standard_deviation,
+    two_position_standard_deviation,
+)
+from driftlab.gyrocompass.inertial_alignment import inertial_alignment_standard_deviation
 from driftlab.gyrocompass.noise import GyroNoise
-from driftlab.gyrocompass.two_position_alignment import align_in_positions
+from driftlab.gyrocompass.two_position_alignment import align_multi_position
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 from driftlab.vectors import wrap_angle
@@ -45,7 +48,7 @@ def level_errors(runs, turn, rng, *, rate=0.0, change=0.0, wrong=0.0, force_chan
     rates = rates + rate * rng.standard_normal(rates.shape)
     rates[:, 1] += change * rng.standard_normal((runs, 3))
     forces[:, 1] += force_change * rng.standard_normal((runs, 3))
-    found = align_in_positions(rates, forces, about_up(0, np.degrees(turn)))
+    found = align_multi_position(rates, forces, about_up(0, np.degrees(turn)))
     return wrap_angle(found.heading - HEADING)
 
 
@@ -58,7 +61,9 @@ def test_biases_across_the_axis_leave_no_trace(degrees):
     # The axis of the turn is the body's, which leans, so the biases along it would count.
     rate, force = static_imu(multiply(attitude, turn), LATITUDE)
     across = np.array([1.0, 0.0, 1.0])
-    found = align_in_positions(rate + across * GYRO_BIAS, force + across * ACCELEROMETER_BIAS, turn)
+    found = align_multi_position(
+        rate + across * GYRO_BIAS, force + across * ACCELEROMETER_BIAS, turn
+    )
     # Rounding of the Earth's rate and of gravity, over sin(turn/2)^2.
     assert rotation_angle(multiply(found.attitude, conjugate(attitude))) < 1e-12
     assert np.allclose(found.gyro_bias, across * GYRO_BIAS, rtol=0, atol=1e-16)
@@ -69,7 +74,7 @@ def test_biases_across_the_axis_leave_no_trace(degrees):
 
 def test_a_bias_along_the_axis_stays_and_is_said_to_be_nothing():
     attitude, turn = from_euler_angles(HEADING, 0.0, 0.0), about_up(0, 180)
-    found = align_in_positions(*readings(attitude, turn), turn)
+    found = align_multi_position(*readings(attitude, turn), turn)
     assert found.gyro_bias[1] == pytest.approx(0.0, abs=1e-18)
     assert np.isclose(found.heading, HEADING)
     up = np.tan(found.latitude) * found.level_rate
@@ -80,7 +85,7 @@ def test_turns_about_two_axes_show_all_biases():
     rng = np.random.default_rng(4)
     attitude = from_euler_angles(rng.uniform(-3, 3, (5, 1)), 0.2, 0.4)
     turn = np.stack([*about_up(0, 180), from_rotation_vector([np.pi / 2, 0.0, 0.0])])
-    found = align_in_positions(*readings(attitude, turn), turn)
+    found = align_multi_position(*readings(attitude, turn), turn)
     assert np.allclose(found.gyro_bias, GYRO_BIAS, rtol=0, atol=1e-15)
     assert np.allclose(found.accelerometer_bias, ACCELEROMETER_BIAS, rtol=0, atol=1e-11)
     assert rotation_angle(multiply(found.attitude, conjugate(attitude[:, 0]))).max() < 1e-12
@@ -91,7 +96,7 @@ def test_it_is_the_least_squares_solution():
     turn = random_quaternions(4, seed=3)
     matrices = Rotation.from_quat(turn).as_matrix()
     rates, forces = rng.standard_normal((2, 4, 3))
-    found = align_in_positions(rates, forces, turn, heading_tolerance=np.inf)
+    found = align_multi_position(rates, forces, turn, heading_tolerance=np.inf)
     design = np.concatenate([np.concatenate([m.T, np.eye(3)], axis=1) for m in matrices])
     for rows, bias, left in (
         (rates, found.gyro_bias, found.rate_residual),
@@ -143,7 +148,7 @@ def test_what_a_change_of_bias_and_a_wrong_turn_do_in_symbols():
 def test_deviations_are_those_of_many_units(simulated, formula, degrees):
     runs, turn = 4000, np.radians(degrees)
     errors = level_errors(runs, turn, np.random.default_rng(2), **simulated)
-    foretold = two_position_deviation(
+    foretold = two_position_standard_deviation(
         LATITUDE, 300.0, turn_angle=turn, **{"angle_random_walk": 0.0} | formula
     )
     # A deviation of 4000 runs is known to 1 in sqrt(8000); four of these.
@@ -151,13 +156,17 @@ def test_deviations_are_those_of_many_units(simulated, formula, degrees):
 
 
 def test_half_a_turn_costs_nothing_in_noise_and_one_position_keeps_its_bias():
-    one = alignment_deviation(LATITUDE, 300.0, 1e-7)
-    assert two_position_deviation(LATITUDE, 300.0, 1e-7) == pytest.approx(one)
-    assert two_position_deviation(LATITUDE, 300.0, 1e-7, np.pi / 3) == pytest.approx(2 * one)
+    one = alignment_standard_deviation(LATITUDE, 300.0, 1e-7)
+    assert two_position_standard_deviation(LATITUDE, 300.0, 1e-7) == pytest.approx(one)
+    assert two_position_standard_deviation(LATITUDE, 300.0, 1e-7, np.pi / 3) == pytest.approx(
+        2 * one
+    )
     # In inertial space the ends of the record count less: (700/429)^(1/2).
-    carried = inertial_alignment_deviation(LATITUDE, 300.0, 1e-7)
+    carried = inertial_alignment_standard_deviation(LATITUDE, 300.0, 1e-7)
     assert carried / one == pytest.approx(np.sqrt(700 / 429))
-    floor = alignment_deviation(LATITUDE, 1e12, 1e-7, gyro_bias=1e-8, accelerometer_bias=1e-3)
+    floor = alignment_standard_deviation(
+        LATITUDE, 1e12, 1e-7, gyro_bias=1e-8, accelerometer_bias=1e-3
+    )
     assert floor == pytest.approx(np.hypot(1e-8 / LEVEL, 1e-3 * np.tan(LATITUDE) / 9.81), rel=1e-3)
 
 
@@ -167,7 +176,7 @@ def test_with_a_slow_drift_half_a_turn_leaves_the_allan_deviation():
     means = drifts.reshape(runs, 3, 2, half).mean(axis=-1)
     attitude, turn = from_euler_angles(HEADING, 0.0, 0.0), about_up(0, 180)
     rates, forces = readings(attitude, turn)
-    found = align_in_positions(rates + np.swapaxes(means, -1, -2), forces, turn)
+    found = align_multi_position(rates + np.swapaxes(means, -1, -2), forces, turn)
     seconds = half * noise.interval
     foretold = noise.allan_deviation(np.array(seconds)) / (np.sqrt(2) * LEVEL)
     scatter = np.std(wrap_angle(found.heading - HEADING))
@@ -181,7 +190,7 @@ def told_wrongly(made, told, **options):
     attitude = from_euler_angles(HEADING, 0.0, 0.0)
     rates, forces = static_imu(multiply(attitude, about_up(0, *made)), LATITUDE)
     small = 1e-3 * GYRO_BIAS  # a laser gyro's
-    found = align_in_positions(rates + small, forces, about_up(0, *told), **options)
+    found = align_multi_position(rates + small, forces, about_up(0, *told), **options)
     return np.degrees(wrap_angle(found.heading - HEADING)), found
 
 
@@ -208,15 +217,15 @@ def test_of_many_units_one_whose_readings_do_not_fit_is_warned_of():
     turned = np.stack([about_up(0, 90, 180), about_up(0, 90, 170)])
     rates, forces = static_imu(multiply(attitude, turned), LATITUDE)
     with pytest.warns(InconsistentAlignmentWarning, match="readings that do not fit each other"):
-        align_in_positions(rates, forces, turned[0])
-    np.testing.assert_allclose(align_in_positions(rates, forces, turned).heading, HEADING)
+        align_multi_position(rates, forces, turned[0])
+    np.testing.assert_allclose(align_multi_position(rates, forces, turned).heading, HEADING)
 
 
 def test_a_turn_of_170_degrees_told_as_180_stays_unseen_as_the_notes_say():
     off, found = told_wrongly([170], [180], latitude=LATITUDE)
     assert abs(off) == pytest.approx(5.0, abs=0.01)
     assert found.level_rate / LEVEL == pytest.approx(np.sin(np.radians(85)), abs=1e-4)
-    assert found.heading_doubt < np.radians(0.5)
+    assert found.heading_uncertainty < np.radians(0.5)
 
 
 @pytest.mark.parametrize(("made", "told"), [(90, 180), (180, 90), (120, 180)])
@@ -235,14 +244,14 @@ def test_a_bias_about_up_does_not_alarm_and_two_axes_hold_the_whole_rate():
         (np.stack([*about_up(0, 180), from_rotation_vector([np.pi / 2, 0.0, 0.0])]), True),
     ):
         rates, forces = static_imu(multiply(attitude, turn), LATITUDE)
-        found = align_in_positions(rates + much, forces, turn, latitude=LATITUDE)
+        found = align_multi_position(rates + much, forces, turn, latitude=LATITUDE)
         assert np.isclose(found.gyro_bias[1], 1e-5) == whole
-        assert found.heading_doubt < 1e-9
-        told = align_in_positions(rates + much, forces, turn)
-        assert np.isfinite(told.heading_doubt) == whole
+        assert found.heading_uncertainty < 1e-9
+        told = align_multi_position(rates + much, forces, turn)
+        assert np.isfinite(told.heading_uncertainty) == whole
     with pytest.warns(InconsistentAlignmentWarning, match="a level rate that is not the Earth's"):
-        align_in_positions(1.2 * rates, forces, turn)
-    directions = align_in_positions(1e3 * rates, forces, turn, rate_unit=None)
+        align_multi_position(1.2 * rates, forces, turn)
+    directions = align_multi_position(1e3 * rates, forces, turn, rate_unit=None)
     assert np.isclose(directions.heading, HEADING)
 
 
@@ -250,7 +259,7 @@ def test_noise_of_a_residual_is_that_of_the_readings():
     rng, turn = np.random.default_rng(6), about_up(0, 120, 240)
     rates, forces = readings(from_euler_angles(HEADING, 0.0, 0.0), turn)
     noisy = rates + 1e-8 * rng.standard_normal((4000, 3, 3))
-    found = align_in_positions(noisy, forces, turn)
+    found = align_multi_position(noisy, forces, turn)
     # Four degrees of freedom each: 9 readings, 5 of the 6 unknowns.
     assert np.mean(found.rate_residual**2) == pytest.approx(1e-16, rel=4 * np.sqrt(2 / 16000))
 
@@ -262,10 +271,10 @@ def test_leading_axes_broadcast_and_the_first_turn_need_not_be_none():
     attitude = from_euler_angles(np.array([0.3, 1.0, -2.0]), 0.1, 0.0)
     turn = about_up(30, 200, 280)
     rate, force = readings(attitude[:, np.newaxis], turn)
-    found = align_in_positions(rate, force, turn)
+    found = align_multi_position(rate, force, turn)
     assert found.gyro_bias.shape == (3, 3)
     for i in range(3):
-        alone = align_in_positions(rate[i], force[i], turn)
+        alone = align_multi_position(rate[i], force[i], turn)
         assert np.isclose(alone.heading, found.heading[i])
         assert np.ndim(alone.heading) == 0
     assert np.allclose(found.gyro_bias[:, [0, 2]], GYRO_BIAS[[0, 2]], rtol=0, atol=1e-13)
@@ -276,9 +285,9 @@ def test_each_unit_may_have_turns_of_its_own():
     tilted = from_rotation_vector([1.2, 0.5, 0.3])
     turns = np.stack([about_up(30, 200, 280), multiply(tilted, about_up(0, 100, 250))])
     rate, force = readings(attitude[:, np.newaxis], turns)
-    found = align_in_positions(rate, force, turns)
+    found = align_multi_position(rate, force, turns)
     for i in range(2):
-        alone = align_in_positions(rate[i], force[i], turns[i])
+        alone = align_multi_position(rate[i], force[i], turns[i])
         assert abs(alone.heading - found.heading[i]) < 1e-12
         np.testing.assert_allclose(alone.gyro_bias, found.gyro_bias[i], rtol=0, atol=1e-15)
 
@@ -298,42 +307,44 @@ def test_refusals(change, words):
     turn = about_up(0, 180)
     rate, force = readings(from_euler_angles(HEADING, 0.0, 0.0), turn)
     with pytest.raises(ValueError, match=words):
-        align_in_positions(**{"angular_rate": rate, "specific_force": force, "turn": turn} | change)
+        align_multi_position(
+            **{"angular_rate": rate, "specific_force": force, "turn": turn} | change
+        )
 
 
 @pytest.mark.filterwarnings("ignore:.*If deg/√h were meant")
 def test_where_nothing_is_known_the_deviation_is_that_of_any_heading():
     """N in degrees per root hour instead of rad per root second made 272 degrees once."""
     nothing = np.pi / np.sqrt(3)
-    assert alignment_deviation(LATITUDE, 300.0, 0.003) == nothing
-    assert two_position_deviation(LATITUDE, 300.0, 0.003) == nothing
-    assert inertial_alignment_deviation(LATITUDE, 300.0, 0.003) == nothing
+    assert alignment_standard_deviation(LATITUDE, 300.0, 0.003) == nothing
+    assert two_position_standard_deviation(LATITUDE, 300.0, 0.003) == nothing
+    assert inertial_alignment_standard_deviation(LATITUDE, 300.0, 0.003) == nothing
 
 
 def test_two_positions_are_doubted_from_where_one_is():
     tolerances = [
         signature(function).parameters["heading_tolerance"].default
-        for function in (align, align_in_positions)
+        for function in (align, align_multi_position)
     ]
     assert tolerances[0] == tolerances[1]
 
 
 def test_two_positions_may_be_little_more_than_five_degrees_apart():
     apart = np.radians([5.01, 354.99])
-    found = two_position_deviation(LATITUDE, 60.0, 1e-7, apart)
+    found = two_position_standard_deviation(LATITUDE, 60.0, 1e-7, apart)
     assert found[0] == pytest.approx(found[1], rel=1e-9)
     with pytest.raises(ValueError, match=r"turn_angle: .* more than 5 degrees .* got 4\.99 deg"):
-        two_position_deviation(LATITUDE, 60.0, 1e-7, np.radians(4.99))
+        two_position_standard_deviation(LATITUDE, 60.0, 1e-7, np.radians(4.99))
 
 
 def test_deviations_refuse_what_has_no_meaning():
     with pytest.raises(ValueError, match=r"turn_angle: expected angles .* got 360 degrees"):
-        two_position_deviation(LATITUDE, 60.0, 1e-7, 2 * np.pi)
+        two_position_standard_deviation(LATITUDE, 60.0, 1e-7, 2 * np.pi)
     with pytest.raises(ValueError, match=r"turn_angle: expected rad, .* got 180\."):
-        two_position_deviation(LATITUDE, 60.0, 1e-7, [np.pi, 180.0])
+        two_position_standard_deviation(LATITUDE, 60.0, 1e-7, [np.pi, 180.0])
     with pytest.raises(ValueError, match="gyro_bias: expected a number of at least 0, got -1"):
-        alignment_deviation(LATITUDE, 60.0, 1e-7, gyro_bias=-1.0)
+        alignment_standard_deviation(LATITUDE, 60.0, 1e-7, gyro_bias=-1.0)
     with pytest.raises(ValueError, match="duration: expected numbers above 0, got 0"):
-        alignment_deviation(LATITUDE, [60.0, 0.0], 1e-7)
+        alignment_standard_deviation(LATITUDE, [60.0, 0.0], 1e-7)
     with pytest.raises(ValueError, match="latitude: expected at most"):
-        two_position_deviation(np.pi / 2, 60.0, 1e-7)
+        two_position_standard_deviation(np.pi / 2, 60.0, 1e-7)

@@ -44,8 +44,13 @@ def run(compass: Gyrocompass, latitude: float = LATITUDE, **kwargs: float) -> di
 def test_a_compass_of_which_nothing_is_told_has_no_errors() -> None:
     ideal = Gyrocompass()
     assert ideal.gyro_bias == ideal.accelerometer_bias == NONE
-    assert ideal.gyro_noise.white == ideal.gyro_noise.slow == ideal.gyro_noise.quantisation == 0
-    assert ideal.damping == ideal.log_scale == 0
+    assert (
+        ideal.gyro_noise.white
+        == ideal.gyro_noise.gauss_markov
+        == ideal.gyro_noise.quantisation
+        == 0
+    )
+    assert ideal.damping == ideal.speed_log_scale_factor == 0
 
 
 def test_fine_steps_meet_the_moments_at_which_a_manoeuvre_begins_and_swings_turn() -> None:
@@ -106,7 +111,7 @@ def test_a_turn_shows_a_drift_four_times() -> None:
     # What it shows besides is at most what the turn does to a compass without a drift.
     assert abs(run(TO_THE_EAST)["turn"] - 4 * error) < run(Gyrocompass())["turn"]
     # Half of the critical damping lets a swing go beyond by exp(-pi/sqrt(3)) of the way.
-    driftless = Gyrocompass(damping=0.5, log=True)
+    driftless = Gyrocompass(damping=0.5, speed_log=True)
     alone, by_log = (
         marine_type_test(compass, LATITUDE).measured["turn"]
         for compass in (driftless, replace(driftless, gyro_bias=TO_THE_EAST.gyro_bias))
@@ -164,12 +169,12 @@ def test_damping_needs_a_log() -> None:
     assert not alone.passed["turn"]
     assert not alone.passed["change of speed"]
     assert all(alone.passed[name] for name in ("settling", "settle point", "scatter"))
-    by_log = marine_type_test(replace(damped, log=True), LATITUDE)
+    by_log = marine_type_test(replace(damped, speed_log=True), LATITUDE)
     assert max(by_log.shares.values()) == by_log.shares["settling"]
 
 
 def test_the_error_of_a_log_is_the_residual_error_of_a_steady_way() -> None:
-    compass = Gyrocompass(damping=0.5, log=True, log_scale=0.03)
+    compass = Gyrocompass(damping=0.5, speed_log=True, speed_log_scale_factor=0.03)
     for speed in (20 * knot, 70 * knot):
         closed = 0.03 * speed / (EARTH_RADIUS * EARTH_RATE * np.cos(LATITUDE))
         # On the way, two swings to the North, the Earth's level rate becomes smaller.
@@ -204,11 +209,11 @@ def test_at_its_worst_all_lasting_errors_look_to_the_east(latitude: float) -> No
 
 
 def test_the_first_reading_has_the_noise_of_the_alignment() -> None:
-    noise, starts = GyroNoise(white=0.5 * degree / hour, slow=0.02 * degree / hour), 400
+    noise, starts = GyroNoise(white=0.5 * degree / hour, gauss_markov=0.02 * degree / hour), 400
     compass = Gyrocompass(gyro_noise=noise, alignment_time=300.0)
     rng = np.random.default_rng(4)
     first = _heading_errors(compass, _quay(LATITUDE, 240.0, 60.0), rng, starts)[:, 0]
-    expected = noise.deviation_of_mean(3000) / (EARTH_RATE * np.cos(LATITUDE))
+    expected = noise.standard_deviation_of_mean(3000) / (EARTH_RATE * np.cos(LATITUDE))
     assert abs(first.std() / expected - 1) < 4 / np.sqrt(2 * starts)
 
 
@@ -222,7 +227,7 @@ def test_starts_differ_by_noise_alone_and_come_again_with_the_seed() -> None:
 
 
 def test_a_compass_that_never_settles_says_so() -> None:
-    wild = Gyrocompass(gyro_noise=GyroNoise(white=0.0, slow=5 * degree / hour))
+    wild = Gyrocompass(gyro_noise=GyroNoise(white=0.0, gauss_markov=5 * degree / hour))
     found = marine_type_test(wild, LATITUDE, steps=COARSE)
     assert found.measured["settling"] == np.inf
     assert not found.passed["settling"]
@@ -235,7 +240,7 @@ def test_a_compass_that_aligns_longer_than_it_may_has_not_settled() -> None:
 
 
 def test_coarse_steps_see_what_fine_ones_see() -> None:
-    compass = replace(TO_THE_EAST, damping=0.3, log=True)
+    compass = replace(TO_THE_EAST, damping=0.3, speed_log=True)
     fine = marine_type_test(compass, LATITUDE).shares
     coarse = marine_type_test(compass, LATITUDE, steps=COARSE).shares
     gaps = {name: abs(share - coarse[name]) for name, share in fine.items()}
@@ -250,13 +255,13 @@ def test_coarse_steps_see_what_fine_ones_see() -> None:
     [
         ({"gyro_bias": (0.0, 1.0)}, r"gyro_bias: expected"),
         ({"alignment_time": 0.0}, r"alignment_time: expected"),
-        ({"log_scale": 0.01}, r"log_scale: expected zero without a log"),
+        ({"speed_log_scale_factor": 0.01}, r"speed_log_scale_factor: expected zero without a log"),
         ({"gyro_noise": 0.1}, r"gyro_noise: expected"),
         ({"gyro_bias": np.zeros((2, 3))}, r"gyro_bias: expected shape \(3,\), got \(2, 3\)"),
         ({"damping": -1.0}, r"damping: expected a number of at least 0, got -1\.0"),
         ({"damping": "much"}, r"damping: expected real numbers"),
         ({"damping": np.nan}, r"damping: expected finite"),
-        ({"log": "no"}, r"log: expected True or False, got 'no'"),
+        ({"speed_log": "no"}, r"speed_log: expected True or False, got 'no'"),
     ],
 )
 def test_a_bad_compass_is_refused(change: dict, words: str) -> None:

@@ -20,7 +20,7 @@ from driftlab.motion.scheme import (
     Scheme,
     checked_scheme,
 )
-from driftlab.motion.turntable import segments, static_trajectory, table_trajectory
+from driftlab.motion.turntable import segments, static_trajectory, turntable_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply
 from support import EPS, quaternions, same_rotation, vectors
 
@@ -78,7 +78,7 @@ def names_of(vectors_):
 
 @pytest.mark.parametrize("interval", [0.05, 0.25, 0.5])
 def test_attitude_walks_through_the_scheme(interval):
-    record = table_trajectory(MIXED, LATITUDE, interval)
+    record = turntable_trajectory(MIXED, LATITUDE, interval)
     expected = walk(interval).as_quat()
     assert record.attitude.shape == expected.shape
     assert same_rotation(record.attitude, expected, 64 * EPS)
@@ -86,7 +86,7 @@ def test_attitude_walks_through_the_scheme(interval):
 
 @pytest.mark.parametrize("interval", [0.05, 0.5])
 def test_increments_are_integrals_of_rate_and_force(interval):
-    record = table_trajectory(MIXED, LATITUDE, interval, altitude=900.0)
+    record = turntable_trajectory(MIXED, LATITUDE, interval, altitude=900.0)
     assert record.increments.interval == interval
     seen, way = mean_over_intervals(record, earth_rate(LATITUDE))
     # Ten points are exact up to rounding for half a radian. The way is a difference of attitudes
@@ -102,7 +102,7 @@ def test_increments_are_integrals_of_rate_and_force(interval):
 
 def test_earth_rate_is_in_the_increments_to_its_last_digits():
     """In a pause nothing else is, so nothing hides it."""
-    record = table_trajectory(MIXED, LATITUDE, 0.5)
+    record = turntable_trajectory(MIXED, LATITUDE, 0.5)
     first = Rotation.from_matrix(MIXED_START).inv().apply(earth_rate(LATITUDE))
     np.testing.assert_allclose(
         record.increments.angle[:4], np.tile(0.5 * first, (4, 1)), rtol=0, atol=4e-5 * 8 * EPS
@@ -111,8 +111,8 @@ def test_earth_rate_is_in_the_increments_to_its_last_digits():
 
 def test_increments_over_parts_of_an_interval_add_up():
     coarse, fine = (
-        table_trajectory(MIXED, LATITUDE, 0.5),
-        table_trajectory(MIXED, LATITUDE, 0.125, multiple_of=4),
+        turntable_trajectory(MIXED, LATITUDE, 0.5),
+        turntable_trajectory(MIXED, LATITUDE, 0.125, multiple_of=4),
     )
     for one, parts, size in zip(
         coarse.increments[1:], fine.increments[1:], (0.4, 4.9), strict=True
@@ -124,7 +124,7 @@ def test_increments_over_parts_of_an_interval_add_up():
 
 def test_angle_increments_lead_to_the_attitude_on_the_turning_earth():
     interval = 0.01
-    record = table_trajectory(MIXED, LATITUDE, interval, multiple_of=2)
+    record = turntable_trajectory(MIXED, LATITUDE, interval, multiple_of=2)
     found = integrate(record.increments.angle, "two-step-4", start=record.attitude[0])
     times = 2 * interval * np.arange(1, len(found) + 1)
     # Local axes stand on the Earth, which turns by 1.5e-3 rad meanwhile.
@@ -138,8 +138,8 @@ def test_angle_increments_lead_to_the_attitude_on_the_turning_earth():
 
 def test_altitude_and_latitude_only_enter_gravity_and_earth_rate():
     low, high = (
-        table_trajectory(MIXED, LATITUDE, 0.5),
-        table_trajectory(MIXED, LATITUDE, 0.5, altitude=5e3),
+        turntable_trajectory(MIXED, LATITUDE, 0.5),
+        turntable_trajectory(MIXED, LATITUDE, 0.5, altitude=5e3),
     )
     share = gravity(LATITUDE, 5e3) / gravity(LATITUDE)
     np.testing.assert_array_equal(low.increments.angle, high.increments.angle)
@@ -160,7 +160,7 @@ def test_rotation_is_slowed_down_and_pause_drawn_out_to_whole_intervals():
     assert turn.rate == pytest.approx(-np.radians(90) / 9.2)
     np.testing.assert_array_equal(turn.axis, [1, 0, 0])
     assert before.rate == after.rate == 0
-    assert len(table_trajectory(scheme, LATITUDE, 0.4).increments.angle) == 3 + 23 + 3
+    assert len(turntable_trajectory(scheme, LATITUDE, 0.4).increments.angle) == 3 + 23 + 3
 
 
 @pytest.mark.parametrize(("dwell", "interval"), [(1.1, 0.1), (0.3, 0.1), (120.0, 0.01), (4.2, 0.6)])
@@ -186,7 +186,7 @@ def test_pauses_and_rotations_last_a_multiple_of_whole(dwell, rate, interval, wh
         # Drawn out by less than one multiple, and never cut by more than rounding.
         longer = part.duration - least
         assert -1e-5 * whole * interval < longer < whole * interval
-    record = table_trajectory(scheme, LATITUDE, interval, multiple_of=whole)
+    record = turntable_trajectory(scheme, LATITUDE, interval, multiple_of=whole)
     assert len(record.increments.angle) == sum(counts)
     assert len(record.increments.velocity) == sum(counts)
     assert len(record.attitude) == sum(counts) + 1
@@ -194,7 +194,8 @@ def test_pauses_and_rotations_last_a_multiple_of_whole(dwell, rate, interval, wh
 
 def test_attitude_ends_the_same_at_any_interval():
     ends = [
-        table_trajectory(MIXED, LATITUDE, interval).attitude[-1] for interval in (0.07, 0.3, 1.9)
+        turntable_trajectory(MIXED, LATITUDE, interval).attitude[-1]
+        for interval in (0.07, 0.3, 1.9)
     ]
     expected = walk(0.5)[-1].as_quat()
     for end in ends:
@@ -204,7 +205,7 @@ def test_attitude_ends_the_same_at_any_interval():
 def test_scheme_without_rotations_is_one_pause():
     scheme = Scheme("", dwell=3.0)
     assert scheme.positions == 1
-    assert len(table_trajectory(scheme, LATITUDE, 0.5).increments.angle) == 6
+    assert len(turntable_trajectory(scheme, LATITUDE, 0.5).increments.angle) == 6
 
 
 # The two schemes
@@ -369,7 +370,7 @@ def test_starts_that_are_not_three_right_handed_directions_are_refused(start):
 def test_intervals_that_are_not_positive_are_refused(interval):
     for function in (
         lambda: segments(MIXED, interval),
-        lambda: table_trajectory(MIXED, 0.9, interval),
+        lambda: turntable_trajectory(MIXED, 0.9, interval),
     ):
         with pytest.raises(
             ValueError, match=rf"^interval: expected a positive number, got {interval}\.$"
@@ -392,7 +393,7 @@ def test_intervals_that_are_not_positive_are_refused(interval):
 def test_bad_numbers_are_refused_by_name(bad, words):
     good = {"latitude": 0.9, "interval": 0.1, "altitude": 0.0}
     with pytest.raises(ValueError, match=f"^{words}"):
-        table_trajectory(MIXED, **(good | bad))
+        turntable_trajectory(MIXED, **(good | bad))
     with pytest.raises(ValueError, match=f"^{words}"):
         static_trajectory([0, 0, 0, 1], count=3, **(good | bad))
 
@@ -401,7 +402,7 @@ def test_bad_numbers_are_refused_by_name(bad, words):
 def test_counts_that_are_not_whole_and_positive_are_refused(bad):
     words = rf"expected a whole number of at least 1, got {bad!r}\.$"
     with pytest.raises(ValueError, match=f"^multiple_of: {words}"):
-        table_trajectory(MIXED, 0.9, 0.1, multiple_of=bad)
+        turntable_trajectory(MIXED, 0.9, 0.1, multiple_of=bad)
     with pytest.raises(ValueError, match=f"^count: {words}"):
         static_trajectory([0, 0, 0, 1], 0.9, 0.1, bad)
 
@@ -440,7 +441,7 @@ def test_unit_that_stands_senses_gravity_and_the_turning_earth(q, latitude, inte
 
 @pytest.mark.parametrize("place", [{}, {"altitude": 30.0}], ids=["sea level", "30 m"])
 def test_standing_is_the_first_pause_of_a_scheme(place):
-    record = table_trajectory(MIXED, LATITUDE, 0.5, **place)
+    record = turntable_trajectory(MIXED, LATITUDE, 0.5, **place)
     alone = static_trajectory(MIXED.start_attitude, LATITUDE, 0.5, 4, **place)
     up = 0.5 * standing_force(LATITUDE, place.get("altitude", 0.0)) @ MIXED_START
     for one in (record.increments.velocity[:4], alone.increments.velocity):

@@ -9,7 +9,7 @@ from scipy.constants import foot
 from scipy.spatial.transform import Rotation
 
 from driftlab.motion.profiles import Coning
-from driftlab.recordings import PUBLISHED, RULES, Recording, doubts
+from driftlab.recordings import PUBLISHED, RULES, Recording, data_problems
 from driftlab.recordings._slips import force_factors, gyro_factors
 from driftlab.recordings._units import ACCELEROMETER_UNITS, GYRO_UNITS
 from driftlab.recordings.guards import (
@@ -127,7 +127,7 @@ MOVING_SLIPS = {
 @pytest.mark.parametrize("slip", [*SLIPS, *MOVING_SLIPS])
 def test_each_slip_is_named(slip, name):
     change, rule, words = (SLIPS | MOVING_SLIPS)[slip]
-    found = doubts(change(part_of(name)))
+    found = data_problems(change(part_of(name)))
     named = [doubt for doubt in found if doubt.rule == rule]
     if name == "laser-gyro" and slip in MOVING_SLIPS:
         assert named == []  # the module says so: of a unit that is not tilted it cannot be known
@@ -141,7 +141,7 @@ def test_half_a_record_is_as_good_as_the_whole(name):
     recording = part_of(name)
     count = len(recording)
     for half in (recording.part(0, count // 2), recording.part(count // 2, count)):
-        assert doubts(half) == ()
+        assert data_problems(half) == ()
 
 
 @pytest.mark.parametrize("name", [name for name in MEASURED if name != "laser-gyro"])
@@ -161,7 +161,7 @@ def test_gravity_turns_as_the_gyros_of_published_records_say(name):
 def test_two_slips_at_once_are_both_named():
     recording = part_of("mpu9150-3")
     both = replace(recording, gyro=recording.gyro * SIGNS / DEGREE)
-    assert {"rate", "turning", "axes"} == {doubt.rule for doubt in doubts(both)}
+    assert {"rate", "turning", "axes"} == {doubt.rule for doubt in data_problems(both)}
 
 
 def cone(scale, rate=100.0, seconds=60.0):
@@ -181,7 +181,7 @@ def cone(scale, rate=100.0, seconds=60.0):
 def test_the_factor_of_a_known_motion_is_found(factor):
     found = _gravity_turns(cone(factor))
     assert found.factor * factor == pytest.approx(1, rel=0.05)
-    named = {doubt.rule for doubt in doubts(cone(factor))} - {"rate"}
+    named = {doubt.rule for doubt in data_problems(cone(factor))} - {"rate"}
     less_than_half_way_to_two = abs(np.log2(factor)) < 1 / 2
     assert named == (set() if less_than_half_way_to_two else {"turning"})
 
@@ -246,8 +246,8 @@ def test_turns_about_one_axis_leave_the_others_open():
     force = G * np.stack([np.sin(angle), 0 * angle, np.cos(angle)], axis=1)
     gyro = np.gradient(angle, 0.01)[:, None] * [0, -1, 0] + rng.normal(scale=0.02, size=(6000, 3))
     recording = Recording(gyro, force + rng.normal(scale=0.1, size=(6000, 3)), 0.01, "rates")
-    assert doubts(recording) == ()
-    assert [doubt.rule for doubt in doubts(replace(recording, gyro=-gyro))] == ["axes"]
+    assert data_problems(recording) == ()
+    assert [doubt.rule for doubt in data_problems(replace(recording, gyro=-gyro))] == ["axes"]
 
 
 def test_coarse_steps_and_samples_written_twice_are_not_called_stuck():
@@ -265,8 +265,8 @@ def test_the_pulses_of_a_quiet_gyro_are_not_called_clipped():
 
 def test_a_record_without_accelerometers_is_judged_by_what_it_has():
     quiet = Recording(np.full((5, 3), 0.1), None, 0.01, "rates")
-    assert doubts(quiet) == ()
-    assert [doubt.rule for doubt in doubts(replace(quiet, gyro=quiet.gyro * 1e5))] == [
+    assert data_problems(quiet) == ()
+    assert [doubt.rule for doubt in data_problems(replace(quiet, gyro=quiet.gyro * 1e5))] == [
         "rate",
         "half turn",
     ]
@@ -275,8 +275,8 @@ def test_a_record_without_accelerometers_is_judged_by_what_it_has():
 def test_gravity_that_is_told_is_what_the_force_is_held_against():
     gyro, noise = 1e-3 * np.random.default_rng(1).standard_normal((2, 200, 3))
     on_mars = Recording(gyro, noise + np.array([0.0, 0.0, 3.71]), 0.01, "rates", gravity=3.71)
-    assert doubts(on_mars) == ()
-    assert [doubt.rule for doubt in doubts(replace(on_mars, gravity=None))] == ["force"]
+    assert data_problems(on_mars) == ()
+    assert [doubt.rule for doubt in data_problems(replace(on_mars, gravity=None))] == ["force"]
 
 
 INTERVAL = 0.02
@@ -325,12 +325,12 @@ def test_a_slip_of_units_makes_numbers_too_large_by_the_quotient_of_the_units(fa
 @pytest.mark.parametrize(("told", "right"), [(2.0, "half"), (0.5, "twice")])
 def test_the_interval_that_would_be_right_is_named_as_a_multiple_of_the_told_one(told, right):
     moved = cone(1.0)
-    assert doubts(moved) == ()
-    (found,) = doubts(replace(moved, interval=told * moved.interval))
+    assert data_problems(moved) == ()
+    (found,) = data_problems(replace(moved, interval=told * moved.interval))
     assert (found.rule, f": {right} as long an interval?" in str(found)) == ("turning", True)
     still = Recording(np.zeros((9, 3)), np.full((9, 3), G / 50 / np.sqrt(3)), 1 / 50, "increments")
-    assert doubts(still) == ()
-    (found,) = doubts(replace(still, interval=told * still.interval))
+    assert data_problems(still) == ()
+    (found,) = data_problems(replace(still, interval=told * still.interval))
     assert (found.rule, f": {right} as long an interval?" in str(found)) == ("force", True)
 
 
@@ -342,7 +342,9 @@ def test_the_interval_that_would_be_right_is_named_as_a_multiple_of_the_told_one
 def test_one_sample_that_cannot_be_is_enough(rate, interval, rules, kind):
     gyro = np.zeros((9, 3))
     gyro[4, 1] = rate * (1 if kind == "rates" else interval)
-    found = {doubt.rule: doubt.size for doubt in doubts(Recording(gyro, None, interval, kind))}
+    found = {
+        doubt.rule: doubt.size for doubt in data_problems(Recording(gyro, None, interval, kind))
+    }
     sizes = {"rate": abs(rate), "half turn": abs(rate) * interval}
     assert found == pytest.approx({rule: sizes[rule] for rule in rules})
 
@@ -352,7 +354,7 @@ def test_one_sample_that_cannot_be_is_enough(rate, interval, rules, kind):
 def test_a_step_of_one_and_a_half_is_no_gap_and_more_is(last, gap, unit):
     times = unit * np.array([0, 2, 4, last, last + 2])
     recording = Recording(np.ones((5, 3)), None, 2 * unit, "rates", times)
-    measured = [(doubt.rule, doubt.size, doubt.threshold) for doubt in doubts(recording)]
+    measured = [(doubt.rule, doubt.size, doubt.threshold) for doubt in data_problems(recording)]
     if gap:
         assert measured == [("gap", pytest.approx((last - 4) / 2), 1.5)]
         with pytest.raises(ValueError, match=r"^times: expected no gap longer than 1\.5 times"):
@@ -367,7 +369,7 @@ def test_a_clipped_channel_is_told_whatever_its_span(span):
     swing = np.minimum(np.sin(np.arange(1000) / 20), 0.5)
     channel = (swing - swing.min()) / np.ptp(swing) * span
     others = np.random.default_rng(2).standard_normal((2, 1000))
-    (found,) = doubts(Recording(np.stack([channel, *others], axis=1), None, 0.01, "rates"))
+    (found,) = data_problems(Recording(np.stack([channel, *others], axis=1), None, 0.01, "rates"))
     assert np.ptp(channel) == span
     assert (found.rule, str(found)[:7]) == ("clipped", "gyro x:")
 
@@ -379,7 +381,7 @@ def test_the_size_of_a_force_that_is_none_is_that_over_gravity(kind, factor):
     force = np.tile([0.0, 0.0, factor * G * (step if kind == "increments" else 1.0)], (100, 1))
     force += 1e-6 * np.random.default_rng(1).standard_normal(force.shape) * np.abs(force).max()
     recording = Recording(np.zeros((100, 3)), force, step, kind, gravity=G)
-    [doubt] = [doubt for doubt in doubts(recording) if doubt.rule == "force"]
+    [doubt] = [doubt for doubt in data_problems(recording) if doubt.rule == "force"]
     assert doubt.size == pytest.approx(factor, rel=1e-5)
 
 

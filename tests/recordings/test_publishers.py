@@ -10,7 +10,7 @@ import pytest
 from driftlab.recordings import (
     PUBLISHED,
     RecordingUnavailable,
-    doubts,
+    data_problems,
     ferraris_sections,
     published,
     published_file,
@@ -154,6 +154,6 @@ def test_the_laser_gyro_knows_its_place():
 
 @pytest.mark.parametrize("name", PUBLISHED)
 def test_nothing_speaks_against_a_published_recording(name):
-    found = {doubt.rule for doubt in doubts(recording_or_skip(name))}
+    found = {doubt.rule for doubt in data_problems(recording_or_skip(name))}
     # Sensors without noise, simulated, repeat themselves at rest as no real one does.
     assert found <= ({"stuck", "clipped"} if name == "nineteen-positions" else set())

@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from driftlab.drift import drift_per_turn
+from driftlab.drift import drift_per_revolution
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("site-landing")]
 LEAN = np.radians(8.0)  # of the first gyro towards axis 2, as the page opens
@@ -40,7 +40,9 @@ def numbers(page) -> list[float]:
 
 def computed(error_as_drawn: np.ndarray, less: np.ndarray, axis) -> list[float]:
     """The same by the package, at one turn a minute."""
-    drawn, small = (np.degrees(drift_per_turn(axis, error)) for error in (error_as_drawn, less))
+    drawn, small = (
+        np.degrees(drift_per_revolution(axis, error)) for error in (error_as_drawn, less)
+    )
     return [round(float(x), 1) for x in (drawn, 60 * small, 60 * small)]
 
 
@@ -57,7 +59,9 @@ def test_its_drift_is_that_of_the_package(page, site):
     page.goto((site / "index.html").as_uri())
     cases = [[errors[k].tolist(), axes[k].tolist()] for k in range(300)]
     answers = page.evaluate(f"({json.dumps(cases)}).map(([M, n]) => Drift.perTurn(M, n))")
-    of_package = [float(drift_per_turn(n, error)) for error, n in zip(errors, axes, strict=True)]
+    of_package = [
+        float(drift_per_revolution(n, error)) for error, n in zip(errors, axes, strict=True)
+    ]
     assert np.max(np.abs(np.subtract(answers, of_package))) < 1e-14
     assert np.max(np.abs(np.subtract(answers, of_package)) / sizes.ravel()) < 1e-14
 
@@ -67,7 +71,9 @@ def test_after_whole_turns_the_two_attitudes_are_apart_by_the_drift(page, site):
     error, axis = leaning(0.1), [0.6, 0.8, 0.0]
     apart = "([M, n]) => [1, 2, 3].map((turns) => Drift.error(M, n, 2 * Math.PI * turns))"
     angles = page.evaluate(apart, [error.tolist(), axis])
-    assert angles == pytest.approx(drift_per_turn(axis, error) * np.array([1, 2, 3]), abs=1e-12)
+    assert angles == pytest.approx(
+        drift_per_revolution(axis, error) * np.array([1, 2, 3]), abs=1e-12
+    )
 
 
 def test_it_moves_at_once_and_stops(page, site):
@@ -85,7 +91,7 @@ def test_it_moves_at_once_and_stops(page, site):
 def test_whoever_wants_little_motion_finds_it_still_and_full_of_meaning(still):
     assert still.get_by_role("button", name="Play").is_visible()
     assert moment(still) == 3
-    left = 3 * np.degrees(drift_per_turn([1, 1, 0], leaning(LEAN)))
+    left = 3 * np.degrees(drift_per_revolution([1, 1, 0], leaning(LEAN)))
     assert f"believes it {left:.1f}° too far" in still.locator(".hero-says").inner_text()
 
 
@@ -94,7 +100,7 @@ def test_the_numbers_are_those_of_the_package_before_and_after_keys(still):
     assert numbers(still) == computed(leaning(LEAN), less, [1, 1, 0])
     still.locator("#hero select").select_option("10")
     assert numbers(still)[2] == pytest.approx(
-        np.degrees(600 * drift_per_turn([1, 1, 0], less)), abs=0.05
+        np.degrees(600 * drift_per_revolution([1, 1, 0], less)), abs=0.05
     )
     tip = still.locator(".handle").nth(FIRST)
     tip.focus()
@@ -158,7 +164,7 @@ def test_the_worst_axis_is_the_worst_however_small_the_bend(still):
     for error, axis in zip(errors, axes, strict=True):
         stretches = np.linalg.svd(np.eye(3) + error, compute_uv=False)
         worst = 2 * np.pi * max(np.abs(stretches - 1))
-        assert abs(drift_per_turn(axis, error)) == pytest.approx(worst, rel=1e-3)
+        assert abs(drift_per_revolution(axis, error)) == pytest.approx(worst, rel=1e-3)
     straight = still.evaluate("Drift.worst([[0, 0, 0], [0, 0, 0], [0, 0, 0]])")
     assert np.linalg.norm(straight) == pytest.approx(1)
 

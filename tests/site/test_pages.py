@@ -43,14 +43,14 @@ def test_a_page_from_a_disk_reads_without_complaint(site, page, name):
 @pytest.mark.parametrize(
     ("words", "found"),
     [
-        ("drift_per_turn", "driftlab.drift.drift_per_turn"),
+        ("drift_per_revolution", "driftlab.drift.drift_per_revolution"),
         ("observability", "calibration.unobservable_subspace"),
         ("sculling", "attitude.sculling"),
         ("gyrocompassing", "gyrocompass.align"),
         ("bias instability", "noise_terms.fit_noise_terms"),
         ("attitude from rates", "sampled_rates.increments_from_rates"),
         ("align", "gyrocompass.align"),
-        ("ZUPT", "recordings.rests"),
+        ("ZUPT", "recordings.static_intervals"),
         ("DataFrame", "recordings.from_dataframe"),
     ],
 )

@@ -7,7 +7,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("site-landing")]
 TO_EQUATION = "article a[href='#eq-larin-1-4']"
 TO_ENTRY = "article a[href*='ledger/larin.html#ledger-larin-2-3']"
 TO_FIGURE = "article a[href*='gallery/index.html#figure-03']"
-TO_FUNCTION = "article a[href*='#driftlab.drift.drift_per_turn']"
+TO_FUNCTION = "article a[href*='#driftlab.drift.drift_per_revolution']"
 PLACES = [
     ("01_rotation_and_error_kinematics", TO_EQUATION, "mjx-container"),
     ("chapters", TO_ENTRY, "mjx-container"),

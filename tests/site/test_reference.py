@@ -43,10 +43,10 @@ def test_every_entry_stands_on_one_page_once(api):
 
 
 def test_a_name_is_documented_where_readers_import_it():
-    assert documented()["driftlab.drift.systematic_drift.drift_per_turn"] == (
-        "driftlab.drift.drift_per_turn"
+    assert documented()["driftlab.drift.systematic_drift.drift_per_revolution"] == (
+        "driftlab.drift.drift_per_revolution"
     )
-    assert aliases()["driftlab.drift_per_turn"] == "driftlab.drift.drift_per_turn"
+    assert aliases()["driftlab.drift_per_revolution"] == "driftlab.drift.drift_per_revolution"
     assert aliases()["driftlab.Scheme"] == "driftlab.motion.Scheme"
     assert "driftlab.earth.EARTH_RATE" in documented().values()  # its home is a core
 
@@ -97,7 +97,7 @@ def test_papers_that_docstrings_cite_are_those_of_the_book():
 def test_words_of_the_field_stand_on_the_page_of_their_function():
     words = words_of_functions()
     assert "gyrocompassing" in words["driftlab.gyrocompass.alignment.align"]
-    assert "ZUPT" in words["driftlab.recordings.rest_detection.rests"]
+    assert "ZUPT" in words["driftlab.recordings.static_detection.rests"]
     # The modules of the ground floor are one subject.
     assert "bias instability" in words["driftlab.noise_terms.fit_noise_terms"]
     # A helper of another subject does not get them.

@@ -22,29 +22,27 @@ from .coning_algorithms import (
     ALGORITHMS as ALGORITHMS,
     CONING_ALGORITHMS as CONING_ALGORITHMS,
     Algorithm as Algorithm,
-    attitude_algorithm as attitude_algorithm,
 )
 from .drift_on_cones import (
     coning_drift as coning_drift,
-    measured_coning_drift as measured_coning_drift,
+    simulated_coning_drift as simulated_coning_drift,
 )
 from .finite_precision import (
     UPDATES as UPDATES,
-    integrate_in_word as integrate_in_word,
-    step_in_word as step_in_word,
+    integrate_finite_word as integrate_finite_word,
+    step_finite_word as step_finite_word,
 )
 from .functional_iteration import FunctionalIteration as FunctionalIteration
 from .integration import (
     integrate as integrate,
     step_quaternions as step_quaternions,
-    step_vectors as step_vectors,
+    step_rotation_vectors as step_rotation_vectors,
 )
 from .noise_amplification import (
     correction_gains as correction_gains,
     noise_growth as noise_growth,
     step_noise_covariance as step_noise_covariance,
 )
-from .own_algorithms import own_steps as own_steps
 from .riccati import (
     SWITCH as SWITCH,
     integrate_riccati as integrate_riccati,

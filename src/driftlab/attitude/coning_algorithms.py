@@ -194,28 +194,10 @@ ALGORITHMS: Mapping[str, AttitudeAlgorithm] = MappingProxyType(
 """All algorithms by name: those with cross products, and functional iteration."""
 
 
-def attitude_algorithm(
+def checked_algorithm(
     algorithm: AnyAlgorithm, argument: str = "algorithm"
 ) -> AttitudeAlgorithm | OwnAlgorithm:
-    """Return an algorithm by its name, or an algorithm itself.
-
-    Parameters
-    ----------
-    algorithm : str or Algorithm or FunctionalIteration or callable
-        A key of `ALGORITHMS`, a custom algorithm, or a function as in `own_algorithms`.
-    argument : str
-        Its name in a refusal.
-
-    Returns
-    -------
-    Algorithm or FunctionalIteration or callable
-        The one of that name, or `algorithm` unchanged.
-
-    Examples
-    --------
-    >>> attitude_algorithm("rotation-vector-3").samples
-    3
-    """
+    """Return the algorithm of that name in `ALGORITHMS`, or an algorithm or function unchanged."""
     if isinstance(algorithm, AttitudeAlgorithm):
         return algorithm
     # A class can be called too, but what it makes is no attitude.
@@ -231,7 +213,7 @@ def attitude_algorithm(
 
 def _coning_algorithm(algorithm: AnyAlgorithm) -> Algorithm:
     """The algorithm with cross products of that name, or such an algorithm itself."""
-    chosen = attitude_algorithm(algorithm)
+    chosen = checked_algorithm(algorithm)
     if isinstance(chosen, FunctionalIteration):
         raise ValueError(f"algorithm: expected one with cross products, got {chosen.name}.")
     if not isinstance(chosen, Algorithm):

@@ -23,11 +23,11 @@ from driftlab.core.quaternion import (
 )
 from driftlab.core.vectors import norms
 
-from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, attitude_algorithm
+from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, checked_algorithm
 from .integration import step_quaternions
-from .own_algorithms import OwnAlgorithm, own_steps
+from .own_algorithms import OwnAlgorithm, checked_steps
 
-MEASURED_STEPS = 60
+SIMULATED_STEPS = 60
 """Steps, or windows, over which a named algorithm is measured."""
 _OWN_ROWS = 840
 """Increments of a cone that one's own function is given: whole steps of one to eight samples."""
@@ -67,11 +67,11 @@ def coning_drift(
         If an interval is not positive, a half angle is larger than pi, or an increment is a whole
         turn, where the vector k is infinite. If the error about the cone's axis may change by half
         a turn or more within a step. If one's own function makes steps that do not repeat to the
-        digits of double precision; `measured_coning_drift` has its drift.
+        digits of double precision; `simulated_coning_drift` has its drift.
 
     See Also
     --------
-    measured_coning_drift : The same by running the algorithm.
+    simulated_coning_drift : The same by running the algorithm.
     driftlab.attitude.integrate : The attitude itself.
 
     Notes
@@ -110,7 +110,7 @@ def coning_drift(
     two-step-4: -2.45
     rotation-vector-3: -0.20
     """
-    chosen = attitude_algorithm(algorithm)
+    chosen = checked_algorithm(algorithm)
     angle, x, interval = _checked_cone(half_angle, frequency, sample_interval)
     if isinstance(chosen, AttitudeAlgorithm):
         return _drift_of_step(chosen, angle, x) / interval
@@ -156,7 +156,7 @@ def _drift_of_step(chosen: AttitudeAlgorithm, angle: FloatArray, x: FloatArray) 
 def _drift_of_own(function: OwnAlgorithm, half_angle: FloatArray, x: FloatArray) -> float:
     """Drift of a sample, rad, from the steps of one's own function that repeat."""
     phases = x * (np.arange(_OWN_ROWS) + 0.5)
-    steps = own_steps(function, cone_increments(half_angle, x, phases))
+    steps = checked_steps(function, cone_increments(half_angle, x, phases))
     samples = _OWN_ROWS // len(steps)
     # Turned back about the cone's axis, to what they would be had they begun at phase zero.
     cosine, sine = (f(x * samples * np.arange(len(steps))) for f in (np.cos, np.sin))
@@ -170,7 +170,7 @@ def _drift_of_own(function: OwnAlgorithm, half_angle: FloatArray, x: FloatArray)
     if not apart or min(apart) > rounding:
         raise ValueError(
             "algorithm: expected steps that repeat as a cone goes round, to the digits of double "
-            f"precision, got a function whose steps {_unlike(apart)}; measured_coning_drift runs "
+            f"precision, got a function whose steps {_unlike(apart)}; simulated_coning_drift runs "
             "it as it is."
         )
     period = 1 + int(np.argmax(np.array(apart) <= rounding))
@@ -238,7 +238,7 @@ def _refuse_half_a_turn(changes: FloatArray) -> None:
         )
 
 
-def measured_coning_drift(
+def simulated_coning_drift(
     algorithm: AnyAlgorithm,
     half_angle: ArrayLike,
     frequency: ArrayLike,
@@ -255,7 +255,7 @@ def measured_coning_drift(
     half_angle, frequency, sample_interval : array_like, shape (...)
         Of the cone and of one increment, in rad, Hz and s, as in `coning_drift`.
     count : int, optional
-        Number of increments; by default `MEASURED_STEPS` steps, or windows, of a named algorithm,
+        Number of increments; by default `SIMULATED_STEPS` steps, or windows, of a named algorithm,
         and 840 increments for one's own function, whole steps of one to eight samples.
 
     Returns
@@ -287,15 +287,15 @@ def measured_coning_drift(
 
     >>> def mine(g):
     ...     return g[0::2] + g[1::2] + 0.6 * np.cross(g[0::2], g[1::2])
-    >>> for drift in (measured_coning_drift, coning_drift):
+    >>> for drift in (simulated_coning_drift, coning_drift):
     ...     print(f"{3600 * np.degrees(drift(mine, np.radians(0.5), 10.0, 0.01)):.1f}")
     -14.2
     -14.2
     """
-    chosen = attitude_algorithm(algorithm)
+    chosen = checked_algorithm(algorithm)
     memory, length = 0, _OWN_ROWS
     if isinstance(chosen, AttitudeAlgorithm):
-        memory, length = chosen.memory, MEASURED_STEPS * (chosen.window - chosen.memory)
+        memory, length = chosen.memory, SIMULATED_STEPS * (chosen.window - chosen.memory)
     if count is not None:
         length = whole_number(count, "count")
     angle, x, interval = _checked_cone(half_angle, frequency, sample_interval)

@@ -15,15 +15,15 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from driftlab.checks import finite_array, finite_arrays, one_of, truth_value, unit_quaternions
 
-from .coning_algorithms import Algorithm, AnyAlgorithm, attitude_algorithm
-from .integration import step_vectors
+from .coning_algorithms import Algorithm, AnyAlgorithm, checked_algorithm
+from .integration import step_rotation_vectors
 
 Update = Literal["product", "small terms first", "complement", "compensated"]
 UPDATES: tuple[Update, ...] = get_args(Update)
-"""Orders of summation when a step is multiplied to the attitude; see `integrate_in_word`."""
+"""Orders of summation when a step is multiplied to the attitude; see `integrate_finite_word`."""
 
 
-def step_in_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDArray[Any]:
+def step_finite_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDArray[Any]:
     """Quaternion of each step, and 1 minus its scalar part, in the precision of `vectors`.
 
     Parameters
@@ -48,7 +48,7 @@ def step_in_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDA
     --------
     In single precision the scalar part of a small step is 1, and 1 - l0 is kept beside it:
 
-    >>> step = step_in_word(np.array([1e-4, 0.0, 0.0], np.float32))
+    >>> step = step_finite_word(np.array([1e-4, 0.0, 0.0], np.float32))
     >>> float(step[3]), f"{step[4]:.1e}"
     (1.0, '2.0e-08')
     """
@@ -73,7 +73,7 @@ def step_in_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDA
     return np.concatenate([-scale * vectors, kind(1) - complement, complement], axis=-1)
 
 
-def integrate_in_word(
+def integrate_finite_word(
     increments: ArrayLike,
     algorithm: AnyAlgorithm = "two-step-4",
     *,
@@ -123,7 +123,7 @@ def integrate_in_word(
 
     >>> steps = np.tile([1e-3, 0.0, 0.0], (1000, 1))
     >>> plain, kept = (
-    ...     abs(1 - np.linalg.norm(integrate_in_word(steps, update=update)[-1].astype(float)))
+    ...     abs(1 - np.linalg.norm(integrate_finite_word(steps, update=update)[-1].astype(float)))
     ...     for update in ("product", "compensated")
     ... )
     >>> bool(kept < plain / 10)
@@ -132,14 +132,14 @@ def integrate_in_word(
     one_of(update, UPDATES, "update")
     truth_value(fused, "fused")
     truth_value(normalise, "normalise")
-    vectors = step_vectors(increments, algorithm, word=word)
+    vectors = step_rotation_vectors(increments, algorithm, word=word)
     if fused and vectors.dtype == np.float64:
         raise ValueError("word: expected float16 or float32 with fused multiply-add, got float64.")
     first = unit_quaternions(start, "start")
     finite_arrays(increments=(vectors, *vectors.shape[-2:]), start=(first, 4))
-    chosen = attitude_algorithm(algorithm)
+    chosen = checked_algorithm(algorithm)
     by_rotation_vector = isinstance(chosen, Algorithm) and chosen.last_stage == "rotation vector"
-    steps = step_in_word(vectors, rotation_vector=by_rotation_vector)
+    steps = step_finite_word(vectors, rotation_vector=by_rotation_vector)
     leading = np.broadcast_shapes(steps.shape[:-2], first.shape[:-1])
     attitude = np.broadcast_to(first.astype(steps.dtype), (*leading, 4))
     x, y, z, scalar, complement = np.moveaxis(steps, -1, 0)

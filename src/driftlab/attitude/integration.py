@@ -21,8 +21,8 @@ from driftlab.core.attitude import turns_too_far
 from driftlab.core.loops import attitudes, cumulative_product
 from driftlab.core.quaternion import multiply
 
-from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, attitude_algorithm
-from .own_algorithms import OwnAlgorithm, own_steps
+from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, checked_algorithm
+from .own_algorithms import OwnAlgorithm, checked_steps
 
 
 def integrate(
@@ -73,7 +73,7 @@ def integrate(
     See Also
     --------
     increments_from_rates : Increments from sampled rates.
-    driftlab.attitude.measured_coning_drift : What an algorithm loses on a cone.
+    driftlab.attitude.simulated_coning_drift : What an algorithm loses on a cone.
     driftlab.strapdown.navigate : Velocity and position as well.
 
     Notes
@@ -107,7 +107,7 @@ def integrate(
     array([0.      , 0.      , 0.479426, 0.877583])
     """
     first = unit_quaternions(start, "start")
-    chosen = attitude_algorithm(algorithm)
+    chosen = checked_algorithm(algorithm)
     if isinstance(chosen, AttitudeAlgorithm):
         rows, past, largest = _checked(increments, chosen, history)
         if first.ndim > 1:
@@ -158,14 +158,14 @@ def step_quaternions(
     >>> step_quaternions([[0.0, 0.0, 0.1], [0.0, 0.0, 0.1]], "two-step-4").round(4)
     array([[0.    , 0.    , 0.0998, 0.995 ]])
     """
-    chosen = attitude_algorithm(algorithm)
+    chosen = checked_algorithm(algorithm)
     if not isinstance(chosen, AttitudeAlgorithm):
         return _own_steps(chosen, finite_array(increments, "increments", 3), history)
     rows, past, _ = _checked(increments, chosen, history)
     return core.step_quaternions(chosen.steps, rows, past)
 
 
-def step_vectors(
+def step_rotation_vectors(
     increments: ArrayLike,
     algorithm: AnyAlgorithm,
     *,
@@ -199,19 +199,19 @@ def step_vectors(
     Examples
     --------
     >>> increments = [[0.0, 0.0, 0.1], [0.0, 0.1, 0.0]]
-    >>> step_vectors(increments, "two-step-4").round(4)
+    >>> step_rotation_vectors(increments, "two-step-4").round(4)
     array([[ 0.0017, -0.025 , -0.025 ]])
-    >>> step_vectors(increments, "rotation-vector-2").round(4)
+    >>> step_rotation_vectors(increments, "rotation-vector-2").round(4)
     array([[-0.0067,  0.1   ,  0.1   ]])
     """
-    chosen = attitude_algorithm(algorithm)
+    chosen = checked_algorithm(algorithm)
     dtype = _checked_word(word)
     if not isinstance(chosen, AttitudeAlgorithm):
         rows = _rows(increments)
         rounded = _in_word(rows, dtype).astype(np.float64)
         return _cayley_vectors(_own_steps(chosen, rounded, history)).astype(dtype)
     rows, past, _ = _checked(increments, chosen, history)
-    return core.step_vectors(chosen.steps, _in_word(rows, dtype), past=past)
+    return core.step_rotation_vectors(chosen.steps, _in_word(rows, dtype), past=past)
 
 
 def _rows(increments: ArrayLike) -> FloatArray:
@@ -272,12 +272,12 @@ def _joined(past: FloatArray, rows: FloatArray) -> FloatArray:
 def _own_steps(function: OwnAlgorithm, rows: FloatArray, history: ArrayLike | None) -> FloatArray:
     """Steps (..., m, 4) by one's own function, without those of the history."""
     if history is None:
-        return own_steps(function, rows)
+        return checked_steps(function, rows)
     past = finite_array(history, "history", 3)
     if past.ndim < 2:
         raise ValueError(f"history: expected shape (..., m, 3), got shape {past.shape}.")
     joined = _joined(past, rows)
-    steps = own_steps(function, joined)
+    steps = checked_steps(function, joined)
     samples, earlier = joined.shape[-2] // steps.shape[-2], past.shape[-2]
     if earlier % samples:
         raise ValueError(

@@ -39,27 +39,8 @@ OwnAlgorithm = Callable[[FloatArray], Any]
 rotation vectors (n/k, 3)."""
 
 
-def own_steps(algorithm: OwnAlgorithm, increments: ArrayLike) -> FloatArray:
-    """Quaternion of the rotation over each step, by one's own function, whose answer is checked.
-
-    Parameters
-    ----------
-    algorithm : callable
-        A function as the module describes it.
-    increments : array_like, shape (..., n, 3)
-        Integrals of the body rate over equal intervals, rad.
-
-    Returns
-    -------
-    ndarray, shape (..., m, 4)
-        Body axes at the end of each step to those at its beginning; m divides n.
-
-    Examples
-    --------
-    >>> own_steps(lambda g: g[0::2] + g[1::2], np.full((4, 3), 0.01)).round(4)
-    array([[0.01  , 0.01  , 0.01  , 0.9999],
-           [0.01  , 0.01  , 0.01  , 0.9999]])
-    """
+def checked_steps(algorithm: OwnAlgorithm, increments: ArrayLike) -> FloatArray:
+    """Steps (..., m, 4) by one's own function, whose answer is checked, from (..., n, 3)."""
     algorithm = checked_function(algorithm, "algorithm", "increments")
     rows = finite_array(increments, "increments", 3)
     if rows.ndim < 2:

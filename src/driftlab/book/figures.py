@@ -65,9 +65,9 @@ def figure(name: str, data: object = None, **parameters: Any) -> PublishedFigure
     Examples
     --------
     >>> import driftlab
-    >>> mine = driftlab.figure("03-drift-map", triad_error=[[0, 2e-3, 0], [0, 0, 0], [0, 0, 0]])
+    >>> mine = driftlab.figure("03-drift-map", error_matrix=[[0, 2e-3, 0], [0, 0, 0], [0, 0, 0]])
     >>> mine.call
-    "driftlab.figure('03-drift-map', triad_error=[[0, 0.002, 0], [0, 0, 0], [0, 0, 0]])"
+    "driftlab.figure('03-drift-map', error_matrix=[[0, 0.002, 0], [0, 0, 0], [0, 0, 0]])"
     """
     definition = _definition(name)
     known = definition.parameters
@@ -101,7 +101,7 @@ def figure_parameters(name: str) -> dict[str, Any]:
     --------
     >>> from driftlab.book import figure_parameters
     >>> list(figure_parameters("03-drift-map"))
-    ['triad_error']
+    ['error_matrix']
     """
     return _definition(name).parameters
 

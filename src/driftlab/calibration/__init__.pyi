@@ -9,8 +9,8 @@ from . import (
     interchange as interchange,
     kalman as kalman,
     matrix_conventions as matrix_conventions,
+    multi_position as multi_position,
     observability as observability,
-    poses as poses,
     scheme_design as scheme_design,
     simulation as simulation,
     static_error_growth as static_error_growth,
@@ -22,16 +22,16 @@ from .body_axes import (
     imu_errors_in_frame as imu_errors_in_frame,
 )
 from .calibration_history import (
-    InconsistentWarning as InconsistentWarning,
+    InconsistentCalibrationWarning as InconsistentCalibrationWarning,
     innovation_test as innovation_test,
 )
 from .covariance import (
     covariance_analysis as covariance_analysis,
-    deviation_history as deviation_history,
+    standard_deviation_history as standard_deviation_history,
 )
 from .error_budget import (
-    calibration_budget as calibration_budget,
-    mission_causes as mission_causes,
+    calibration_error_budget as calibration_error_budget,
+    mission_error_sources as mission_error_sources,
     mission_errors as mission_errors,
 )
 from .error_dynamics import (
@@ -62,23 +62,23 @@ from .matrix_conventions import (
     PsinsMatrices as PsinsMatrices,
     RosMatrices as RosMatrices,
 )
+from .multi_position import calibrate_multi_position as calibrate_multi_position
 from .observability import (
     gramian_ranks as gramian_ranks,
     observability_matrix as observability_matrix,
     stripped_observability as stripped_observability,
     unobservable_subspace as unobservable_subspace,
 )
-from .poses import calibrate_by_poses as calibrate_by_poses
 from .scheme_design import (
     DesignTask as DesignTask,
     design_scheme as design_scheme,
 )
-from .simulation import TableTrial as TableTrial
+from .simulation import TurntableTrial as TurntableTrial
 from .static_error_growth import (
-    STATIC_CAUSES as STATIC_CAUSES,
-    schuler_position as schuler_position,
-    static_causes as static_causes,
+    STATIC_ERROR_SOURCES as STATIC_ERROR_SOURCES,
+    schuler_position_error as schuler_position_error,
     static_error_modes as static_error_modes,
+    static_error_sources as static_error_sources,
     static_errors as static_errors,
 )
 from .static_navigation import navigate_static as navigate_static

@@ -97,21 +97,23 @@ def imu_errors_in_frame(imu_errors: ImuErrors, frame: str | None) -> tuple[ImuEr
     --------
     >>> from driftlab.imu import TYPICAL_ERRORS
     >>> turned, _ = imu_errors_in_frame(TYPICAL_ERRORS, "averaged")
-    >>> bool(np.allclose(turned.gyro_error, turned.gyro_error.T, atol=1e-15))
+    >>> bool(np.allclose(turned.gyro_error_matrix, turned.gyro_error_matrix.T, atol=1e-15))
     True
     """
     errors = checked_imu_errors(imu_errors)
     if frame is None:
         own = ImuErrors(*(array.copy() for array in errors))
-        return own, np.broadcast_to(np.eye(3), errors.gyro_error.shape).copy()
+        return own, np.broadcast_to(np.eye(3), errors.gyro_error_matrix.shape).copy()
     if one_of(frame, POSE_AXES, "frame") == POSE_AXES[-1]:
-        turn = body_frame_rotation(errors.accelerometer_error, frame="lower triangle")
+        turn = body_frame_rotation(errors.accelerometer_error_matrix, frame="lower triangle")
     else:
-        turn = body_frame_rotation(errors.gyro_error, errors.accelerometer_error, frame)
+        turn = body_frame_rotation(
+            errors.gyro_error_matrix, errors.accelerometer_error_matrix, frame
+        )
     turned = ImuErrors(
         errors.gyro_bias.copy(),
-        change_body_frame(errors.gyro_error, turn),
+        change_body_frame(errors.gyro_error_matrix, turn),
         errors.accelerometer_bias.copy(),
-        change_body_frame(errors.accelerometer_error, turn),
+        change_body_frame(errors.accelerometer_error_matrix, turn),
     )
     return turned, turn

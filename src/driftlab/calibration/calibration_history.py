@@ -23,11 +23,11 @@ from driftlab.core import quaternion
 from driftlab.core.loops import attitudes
 from driftlab.earth import earth_rate
 from driftlab.higher_order_errors import TERMS
-from driftlab.imu import ImuErrors, PriorDeviations
+from driftlab.imu import ImuErrors, PriorStandardDeviations
 from driftlab.increments import Increments
 from driftlab.strapdown import ALGORITHM
 
-from ._told import Told
+from ._filter_inputs import FilterInputs
 from .error_model import ErrorModel
 
 CONFIDENCE = 1 - 1e-4
@@ -78,7 +78,7 @@ class Calibration(NamedTuple):
         the filter was told is true. A mean near three proves nothing; see `innovation_test`.
     innovations : ndarray, shape (..., updates, 3)
         Innovations with covariance I, which `nis` are the sums of squares of.
-    told : optional
+    inputs : optional
         The arguments of `calibrate`, if it checked them, for `driftlab.diagnosis.diagnose`.
     """
 
@@ -90,10 +90,10 @@ class Calibration(NamedTuple):
     velocity: FloatArray
     nis: FloatArray
     innovations: FloatArray = np.zeros((0, 3))
-    told: Told | None = None
+    inputs: FilterInputs | None = None
 
     @property
-    def deviations(self) -> FloatArray:
+    def standard_deviations(self) -> FloatArray:
         """Standard deviations (..., k, size) of the states, as the filter computes them."""
         return np.sqrt(np.einsum("...ii->...i", self.covariance))
 
@@ -116,10 +116,10 @@ class Calibration(NamedTuple):
             quaternion.multiply(at_end, self.attitude[..., -1, :]), quaternion.conjugate(turned)
         )
 
-    def _contradictions(self, told: Told) -> tuple[int, list[str]]:
+    def _contradictions(self, inputs: FilterInputs) -> tuple[int, list[str]]:
         """The worst run (its number), and sentences on its innovations and large errors."""
         doubt = innovation_test(self)._contradiction()
-        run, beyond = self._beyond_prior(told.prior, told.start)
+        run, beyond = self._beyond_prior(inputs.prior, inputs.start)
         said = []
         if doubt is not None:
             run = doubt[0]
@@ -131,7 +131,9 @@ class Calibration(NamedTuple):
             )
         return run, said
 
-    def _beyond_prior(self, prior: PriorDeviations, start: FloatArray) -> tuple[int, list[str]]:
+    def _beyond_prior(
+        self, prior: PriorStandardDeviations, start: FloatArray
+    ) -> tuple[int, list[str]]:
         """The worst run (its number), and a sentence on each kind of error beyond the prior."""
         model = self.model
         known = np.sqrt(np.diag(model.covariance(prior, start.reshape(-1, 4)[0])))
@@ -155,7 +157,7 @@ class Calibration(NamedTuple):
         """A sentence if scale or installation errors are too large for a first pass."""
         places = [k for k, name in enumerate(self.model.names) if re.search(_OF_SCALE, name)]
         errors = np.abs(self.state[..., -1, places]).max(axis=-1)
-        known = self.deviations[..., -1, places]
+        known = self.standard_deviations[..., -1, places]
         largest = float(np.max(errors**2 / np.where(known > 0, known, np.inf).min(axis=-1)))
         if largest <= _SECOND_ORDER:
             return []
@@ -166,15 +168,17 @@ class Calibration(NamedTuple):
         ]
 
 
-def checked_about(about: Calibration, model: ErrorModel, lead: tuple[int, ...]) -> Calibration:
+def checked_about(
+    linearization_point: Calibration, model: ErrorModel, lead: tuple[int, ...]
+) -> Calibration:
     """Return an earlier pass, refusing one of another model or of other runs."""
-    checked_instance(about, Calibration, "about")
-    if about.model is not model or about.state.shape[:-2] != lead:
+    checked_instance(linearization_point, Calibration, "linearization_point")
+    if linearization_point.model is not model or linearization_point.state.shape[:-2] != lead:
         raise ValueError(
-            f"about: expected runs {lead} with {_described(model)}, "
-            f"got {about.state.shape[:-2]} with {_described(about.model)}."
+            f"linearization_point: expected runs {lead} with {_described(model)}, got "
+            f"{linearization_point.state.shape[:-2]} with {_described(linearization_point.model)}."
         )
-    return about
+    return linearization_point
 
 
 def _described(model: ErrorModel) -> str:
@@ -183,7 +187,7 @@ def _described(model: ErrorModel) -> str:
     return f"the model {model.frame!r} of {model.size} states{added}"
 
 
-class InconsistentWarning(UserWarning):
+class InconsistentCalibrationWarning(UserWarning):
     """Warning that a record contradicts what the filter was told of it."""
 
 
@@ -276,9 +280,9 @@ def innovation_test(calibration: Calibration) -> InnovationTest:
 
     Examples
     --------
-    >>> from driftlab.calibration import TableTrial
+    >>> from driftlab.calibration import TurntableTrial
     >>> from driftlab.motion.scheme import Scheme
-    >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
+    >>> trial = TurntableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
     >>> found = trial.run(np.random.default_rng(1), runs=3).calibration
     >>> innovation_test(found).verdict.tolist()
     ['consistent', 'consistent', 'consistent']

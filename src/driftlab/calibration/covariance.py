@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from driftlab.checks import FloatArray, checked_instance, positive_number, shown
 from driftlab.core import loops
 from driftlab.core.quaternion import from_rotation_vector, to_matrix
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import DIRECTIONS, Scheme, checked_scheme
 
 from .error_dynamics import (
@@ -36,7 +36,10 @@ from .error_model import ErrorModel
 
 
 def covariance_analysis(
-    linearized: LinearizedErrors, noise: ImuNoise, prior: PriorDeviations, update: float = 1.0
+    linearized: LinearizedErrors,
+    noise: ImuNoise,
+    prior: PriorStandardDeviations,
+    update: float = 1.0,
 ) -> FloatArray:
     """Covariance of the estimation errors at the end of a scheme, without any data.
 
@@ -46,7 +49,7 @@ def covariance_analysis(
         The error equations along the scheme.
     noise : ImuNoise
         Of the sensors and of the reference velocity.
-    prior : PriorDeviations
+    prior : PriorStandardDeviations
         Standard deviations of the errors before the calibration.
     update : float
         Time between two measurements of the velocity, s.
@@ -85,21 +88,24 @@ def covariance_analysis(
     >>> from driftlab.calibration import ERROR_MODELS, linearize_along
     >>> from driftlab.motion.scheme import NINETEEN_POSITIONS
     >>> linearized = linearize_along(NINETEEN_POSITIONS, 0.7, ERROR_MODELS["averaged"])
-    >>> variances = np.diag(covariance_analysis(linearized, ImuNoise(), PriorDeviations()))
+    >>> variances = np.diag(covariance_analysis(linearized, ImuNoise(), PriorStandardDeviations()))
     >>> round(1e6 * float(np.sqrt(variances[linearized.model.names.index("gyro scale x")])), 2)
     3.55
     """
     return _covariances(linearized, noise, prior, update)[0]
 
 
-def deviation_history(
-    linearized: LinearizedErrors, noise: ImuNoise, prior: PriorDeviations, update: float = 1.0
+def standard_deviation_history(
+    linearized: LinearizedErrors,
+    noise: ImuNoise,
+    prior: PriorStandardDeviations,
+    update: float = 1.0,
 ) -> FloatArray:
     """Standard deviations of the estimation errors all along a scheme, without any data.
 
     Parameters
     ----------
-    linearized, noise, prior, update : LinearizedErrors, ImuNoise, PriorDeviations, float
+    linearized, noise, prior, update : LinearizedErrors, ImuNoise, PriorStandardDeviations, float
         As for `covariance_analysis`, which has the covariance at the end; s steps.
 
     Returns
@@ -116,7 +122,7 @@ def deviation_history(
     >>> from driftlab.motion.scheme import Scheme
     >>> turns = Scheme("+90Y +90Y +90Y", ("Up", "East", "North"))
     >>> linearized = linearize_along(turns, 0.7, ERROR_MODELS["averaged"])
-    >>> history = deviation_history(linearized, ImuNoise(), PriorDeviations())
+    >>> history = standard_deviation_history(linearized, ImuNoise(), PriorStandardDeviations())
     >>> scales = [linearized.model.names.index(f"gyro scale {axis}") for axis in "xy"]
     >>> (1e6 * history[[0, -1]][:, scales]).round()
     array([[100., 100.],
@@ -128,13 +134,13 @@ def deviation_history(
 
 
 def _covariances(
-    linearized: LinearizedErrors, noise: ImuNoise, prior: PriorDeviations, update: float
+    linearized: LinearizedErrors, noise: ImuNoise, prior: PriorStandardDeviations, update: float
 ) -> tuple[FloatArray, FloatArray]:
     """Covariance (size, size) after s steps; variances (s + 1, size) before and after each."""
     checked_linearized(linearized)
     checked_noise(noise)
     seconds = positive_number(update, "update")
-    checked_instance(prior, PriorDeviations, "prior")
+    checked_instance(prior, PriorStandardDeviations, "prior")
     start = linearized.model.covariance(prior, linearized.start)
     rows = linearized.transitions[:, :6]  # the sensor errors are constant
     added = process_noise(noise, rows[:, 3:, :3], linearized.durations)
@@ -353,7 +359,7 @@ class _RowCovariances:
     latitude: float  # rad
     model: ErrorModel
     noise: ImuNoise
-    prior: PriorDeviations
+    prior: PriorStandardDeviations
 
     def row(self, scheme: Scheme) -> Row:
         """Start and turns of a scheme, as numbers, if they leave time for pauses."""
@@ -368,7 +374,7 @@ class _RowCovariances:
 
     def scheme(self, start: int, row: IntArray) -> Scheme:
         """The scheme of a start and turns, in its time."""
-        return replace(self.moves.scheme(start, row), rate=self.rate).lasting(self.duration)
+        return replace(self.moves.scheme(start, row), rate=self.rate).with_duration(self.duration)
 
     def _pause(self, positions: int, quarters: int) -> float:
         return (self.duration - quarters * np.pi / 2 / self.rate) / positions

@@ -26,7 +26,7 @@ from driftlab.earth import EARTH_RATE, checked_latitude, earth_rate, gravity
 from .calibration_history import Calibration
 from .error_dynamics import checked_model
 from .error_model import ErrorModel
-from .static_error_growth import STATIC_CAUSES, checked_moments, static_error_modes
+from .static_error_growth import STATIC_ERROR_SOURCES, checked_moments, static_error_modes
 
 
 class MissionErrors(NamedTuple):
@@ -75,7 +75,7 @@ def mission_errors(times: ArrayLike, latitude: float, covariance: ArrayLike) -> 
     latitude : float
         rad; not a pole.
     covariance : array_like, shape (..., 12, 12)
-        Of the causes, in the order of `STATIC_CAUSES`.
+        Of the causes, in the order of `STATIC_ERROR_SOURCES`.
 
     Returns
     -------
@@ -86,13 +86,15 @@ def mission_errors(times: ArrayLike, latitude: float, covariance: ArrayLike) -> 
     --------
     Gyros of 0.01 deg/h about all three axes, after an hour, in nautical miles:
 
-    >>> deviations = np.zeros(12)
-    >>> deviations[7:10] = np.radians(0.01) / 3600
-    >>> errors = mission_errors([3600.0], np.radians(45.0), np.diag(deviations**2))
+    >>> standard_deviations = np.zeros(12)
+    >>> standard_deviations[7:10] = np.radians(0.01) / 3600
+    >>> errors = mission_errors([3600.0], np.radians(45.0), np.diag(standard_deviations**2))
     >>> round(float(errors.distance[0]) / 1852, 2)
     1.03
     """
-    given = finite_array(covariance, "covariance", len(STATIC_CAUSES), len(STATIC_CAUSES))
+    given = finite_array(
+        covariance, "covariance", len(STATIC_ERROR_SOURCES), len(STATIC_ERROR_SOURCES)
+    )
     moments = checked_moments(times)
     if moments.min() < 0:
         raise ValueError(f"times: expected times since the start, got {moments.min():g} s.")
@@ -100,11 +102,11 @@ def mission_errors(times: ArrayLike, latitude: float, covariance: ArrayLike) -> 
         raise ValueError("covariance: expected squares of deviations, got negative ones.")
     wanted = static_error_modes(latitude).at(moments).sum(axis=0)[:, [2, 5, 6]]
     variances = np.einsum("kij,...jl,kil->...ki", wanted, given, wanted)
-    deviations = np.sqrt(np.maximum(variances, 0.0))
-    return MissionErrors(moments, deviations[..., 1:], deviations[..., 0])
+    standard_deviations = np.sqrt(np.maximum(variances, 0.0))
+    return MissionErrors(moments, standard_deviations[..., 1:], standard_deviations[..., 0])
 
 
-def mission_causes(
+def mission_error_sources(
     model: ErrorModel | str, attitude: ArrayLike, latitude: float, turn: float = 0.0
 ) -> FloatArray:
     """Matrix from what a calibration leaves over to the causes of errors at rest.
@@ -127,17 +129,18 @@ def mission_causes(
     Returns
     -------
     ndarray, shape (12, size)
-        To first order; rows in the order of `STATIC_CAUSES`. Noise is not in it, nor what the model
-        leaves out. The attitude and velocity that the calibration ended with do not matter.
+        To first order; rows in the order of `STATIC_ERROR_SOURCES`. Noise is not in it, nor what
+        the model leaves out. The attitude and velocity that the calibration ended with do not
+        matter.
 
     Examples
     --------
     A bias of an East gyro becomes a heading error; the two cancel, until the vehicle turns:
 
-    >>> east = STATIC_CAUSES.index("gyro bias East")
+    >>> east = STATIC_ERROR_SOURCES.index("gyro bias East")
     >>> for turn in (0.0, np.pi):
-    ...     causes = mission_causes("averaged", [0, 0, 0, 1], 0.0, turn)[:, 6]
-    ...     heading = EARTH_RATE * causes[STATIC_CAUSES.index("attitude Up")]
+    ...     causes = mission_error_sources("averaged", [0, 0, 0, 1], 0.0, turn)[:, 6]
+    ...     heading = EARTH_RATE * causes[STATIC_ERROR_SOURCES.index("attitude Up")]
     ...     print(round(float(causes[east]), 3), round(float(heading), 3))
     1.0 -1.0
     -1.0 -1.0
@@ -154,8 +157,8 @@ def mission_causes(
 
     def sensed(axes: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Sensor biases (size, 3) in local axes while the body has these axes."""
-        gyro = states.gyro_bias + states.gyro_error @ (axes.T @ rate)
-        accelerometer = states.accelerometer_bias + states.accelerometer_error @ (
+        gyro = states.gyro_bias + states.gyro_error_matrix @ (axes.T @ rate)
+        accelerometer = states.accelerometer_bias + states.accelerometer_error_matrix @ (
             axes.T @ up * pull
         )
         return gyro @ axes.T, accelerometer @ axes.T
@@ -164,16 +167,16 @@ def mission_causes(
     tilt = np.stack([-push[:, 1], push[:, 0]], axis=-1) / pull
     azimuth = np.tan(place) * tilt[:, 1] - drift[:, 0] / (EARTH_RATE * np.cos(place))
     # The turn: -C K w, integrated while C turns about Up.
-    bent = states.gyro_error @ (body.T @ up) @ body.T
+    bent = states.gyro_error_matrix @ (body.T @ up) @ body.T
     sine, cosine = np.sin(angle), np.cos(angle)
     swept = np.array([[sine, cosine - 1, 0], [1 - cosine, sine, 0], [0, 0, angle]])
     phi = np.column_stack([tilt, azimuth]) - bent @ swept.T
-    about = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
-    drift, push = sensed(about @ body)
+    linearization_point = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
+    drift, push = sensed(linearization_point @ body)
     return np.column_stack([phi, np.zeros((model.size, 4)), drift, push[:, :2]]).T
 
 
-def calibration_budget(
+def calibration_error_budget(
     times: ArrayLike,
     latitude: float,
     model: ErrorModel | str,
@@ -194,7 +197,7 @@ def calibration_budget(
     covariance : array_like, shape (size, size)
         Of its errors, as ``calibration.covariance[-1]`` or `covariance_analysis` give it.
     attitude, turn : array_like or Rotation, shape (4,), and float
-        See `mission_causes`.
+        See `mission_error_sources`.
 
     Returns
     -------
@@ -207,10 +210,10 @@ def calibration_budget(
     What is known before any calibration, in km after four hours:
 
     >>> from driftlab.calibration import ERROR_MODELS
-    >>> from driftlab.imu import PriorDeviations
+    >>> from driftlab.imu import PriorStandardDeviations
     >>> level, model = [0.0, 0.0, 0.0, 1.0], ERROR_MODELS["averaged"]
-    >>> before = model.covariance(PriorDeviations(), level)
-    >>> budget = calibration_budget([4 * 3600.0], 0.7, model, before, level, turn=np.pi)
+    >>> before = model.covariance(PriorStandardDeviations(), level)
+    >>> budget = calibration_error_budget([4 * 3600.0], 0.7, model, before, level, turn=np.pi)
     >>> for kind in ("gyro bias", "gyro scale", "accelerometer bias", "all"):
     ...     print(kind, round(float(budget[kind].distance[0]) / 1e3))
     gyro bias 287
@@ -231,7 +234,7 @@ def calibration_budget(
         )
     if np.diag(given).min() < 0:
         raise ValueError("covariance: expected squares of deviations, got negative ones.")
-    to_causes = mission_causes(model, attitude, latitude, turn)
+    to_causes = mission_error_sources(model, attitude, latitude, turn)
     kinds = [name.rsplit(" ", 1)[0] for name in model.names]
     parts = {}
     for kind in [*dict.fromkeys(kinds[6:]), "all"]:

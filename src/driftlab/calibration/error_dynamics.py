@@ -229,7 +229,7 @@ def _higher_order_effects(
 ) -> tuple[FloatArray, FloatArray]:
     """Errors of gyros and accelerometers (..., n, 3, m) at n nodes of each of m states.
 
-    The derivatives of `driftlab.higher_order_errors.felt_besides`.
+    The derivatives of `driftlab.higher_order_errors.higher_order_effects`.
     """
     lead = np.broadcast_shapes(times.shape, angle.shape[:-1], velocity.shape[:-1])
     of_gyros, of_accelerometers = [np.zeros((*lead, 3, 0))], [np.zeros((*lead, 3, 0))]

@@ -35,7 +35,7 @@ from driftlab.higher_order_errors import (
     checked_higher_order_errors,
     checked_terms,
 )
-from driftlab.imu import ImuErrors, PriorDeviations, checked_imu_errors
+from driftlab.imu import ImuErrors, PriorStandardDeviations, checked_imu_errors
 from driftlab.increments import Increments, _without_errors
 
 AXES = "xyz"
@@ -82,7 +82,9 @@ def _packed(higher_order: HigherOrderErrors, chosen: tuple[str, ...]) -> FloatAr
     return np.concatenate([np.zeros((*lead, 0)), *parts], axis=-1)
 
 
-def _prior_deviations(prior: PriorDeviations, chosen: tuple[str, ...]) -> FloatArray:
+def _prior_standard_deviations(
+    prior: PriorStandardDeviations, chosen: tuple[str, ...]
+) -> FloatArray:
     """Standard deviations (m,) of the states before a calibration."""
     terms = [TERMS[name] for name in chosen]
     return np.array([getattr(prior, term.prior) for term in terms for _ in term.names])
@@ -117,7 +119,7 @@ class ErrorModel:
     >>> bool((model.state(errors, more)[6:] == state[6:]).all())
     True
     >>> level = [0.0, 0.0, 0.0, 1.0]
-    >>> model.reduction(level).shape, model.covariance(PriorDeviations(), level).shape
+    >>> model.reduction(level).shape, model.covariance(PriorStandardDeviations(), level).shape
     ((28, 30), (28, 28))
     """
 
@@ -183,8 +185,8 @@ class ErrorModel:
             # The matrices of a basis have no entries in common.
             np.tensordot(matrix, basis, ([-2, -1], [1, 2])) / (basis**2).sum(axis=(1, 2))
             for matrix, basis in (
-                (imu_errors.gyro_error, self.gyro_basis),
-                (imu_errors.accelerometer_error, self.accelerometer_basis),
+                (imu_errors.gyro_error_matrix, self.gyro_basis),
+                (imu_errors.accelerometer_error_matrix, self.accelerometer_basis),
             )
         )
         parts = [np.zeros(6), imu_errors.gyro_bias, of_gyros]
@@ -214,35 +216,35 @@ class ErrorModel:
         small = np.zeros((FULL.size, 3))
         if self.frame is not None:
             small = misalignment_vector(
-                imu_errors.gyro_error, imu_errors.accelerometer_error, self.frame
+                imu_errors.gyro_error_matrix, imu_errors.accelerometer_error_matrix, self.frame
             )
         turn = cross_matrix(small)
         reduced = self.state(
             imu_errors._replace(
-                gyro_error=imu_errors.gyro_error - turn,
-                accelerometer_error=imu_errors.accelerometer_error - turn,
+                gyro_error_matrix=imu_errors.gyro_error_matrix - turn,
+                accelerometer_error_matrix=imu_errors.accelerometer_error_matrix - turn,
             )
         )
         reduced[:, :6] = states[:, :6]
         reduced[:, :3] -= small @ body_to_local.T
         return reduced.T
 
-    def covariance(self, prior: PriorDeviations, attitude: ArrayLike) -> FloatArray:
+    def covariance(self, prior: PriorStandardDeviations, attitude: ArrayLike) -> FloatArray:
         """Covariance (size, size) of the states before a calibration, SI units, squared.
 
         The 24 sensor errors are independent in the axes of the table, and the covariance in the
         model's axes follows. So filters with different axes start from the same prior. Errors of
         higher order are independent of them.
         """
-        checked_instance(prior, PriorDeviations, "prior")
-        matrix = [prior.scale] * 3 + [prior.installation] * 6
+        checked_instance(prior, PriorStandardDeviations, "prior")
+        matrix = [prior.scale_factor] * 3 + [prior.installation] * 6
         sizes = [prior.attitude] * 3 + [0.0] * 3
         sizes += [prior.gyro_bias] * 3 + matrix + [prior.accelerometer_bias] * 3 + matrix
         half = self.reduction(attitude) * np.array(sizes)
         covariance = half @ half.T
         if self.higher_order:
             last = np.arange(self.triad_states, self.size)
-            covariance[last, last] = _prior_deviations(prior, self.higher_order) ** 2
+            covariance[last, last] = _prior_standard_deviations(prior, self.higher_order) ** 2
         return covariance
 
 

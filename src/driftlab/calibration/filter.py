@@ -28,16 +28,16 @@ from driftlab.checks import (
     whole_number,
 )
 from driftlab.core import kalman, loops, quaternion
-from driftlab.core.strapdown import last_of
+from driftlab.core.strapdown import final_state
 from driftlab.earth import checked_latitude
 from driftlab.higher_order_errors import _rate_changes
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments, checked_increments
 from driftlab.motion.scheme import Scheme
-from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
+from driftlab.strapdown import ALGORITHM, checked_interval, stationary_state
 
-from ._told import LARGER, Told, told_noise
-from .calibration_history import Calibration, InconsistentWarning, checked_about
+from ._filter_inputs import LARGER, FilterInputs, assumed_noise_contradictions
+from .calibration_history import Calibration, InconsistentCalibrationWarning, checked_about
 from .error_dynamics import (
     checked_model,
     checked_noise,
@@ -62,9 +62,9 @@ class FilterFailure(ValueError):
     Its `told` are the arguments of `calibrate`, for `driftlab.diagnosis.diagnose`.
     """
 
-    def __init__(self, sentence: str, told: Told | None = None) -> None:
+    def __init__(self, sentence: str, inputs: FilterInputs | None = None) -> None:
         super().__init__(sentence)
-        self.told = told
+        self.inputs = inputs
 
 
 def calibrate(
@@ -74,12 +74,12 @@ def calibrate(
     latitude: float,
     start: ArrayLike,
     model: ErrorModel | str,
-    prior: PriorDeviations,
+    prior: PriorStandardDeviations,
     noise: ImuNoise,
     reference_times: ArrayLike | None = None,
     update_interval: float | None = None,
     keep: int = 10,
-    about: Calibration | None = None,
+    linearization_point: Calibration | None = None,
     check: bool = True,
 ) -> Calibration:
     r"""Estimate the sensor errors of a unit from its increments on a turntable.
@@ -99,7 +99,7 @@ def calibrate(
         all runs.
     model : ErrorModel or str
         The states, one of `driftlab.calibration.ERROR_MODELS`.
-    prior : PriorDeviations
+    prior : PriorStandardDeviations
         Standard deviations of the errors before the calibration, as the filter assumes them.
     noise : ImuNoise
         Noise of the sensors and of the reference velocity, as the filter assumes it. A table that
@@ -114,7 +114,7 @@ def calibrate(
         is left over.
     keep : int
         The history keeps every `keep`-th update, and the last.
-    about : Calibration, optional
+    linearization_point : Calibration, optional
         What an earlier pass over the same record found, with the same model. The error equations
         are then linearised about it, and not about the errors estimated so far.
     check : bool
@@ -136,7 +136,7 @@ def calibrate(
 
     Warns
     -----
-    InconsistentWarning
+    InconsistentCalibrationWarning
         If gravity or the Earth's rate contradict what was told, the innovations are too large or
         have a mean, the errors found are beyond what the prior allows or too large for one pass, or
         the rests show other noise than told. `driftlab.diagnosis.diagnose` looks for the cause.
@@ -147,7 +147,7 @@ def calibrate(
     driftlab.diagnosis.diagnose : What may have gone wrong.
     covariance_analysis : The accuracy to be expected, without data.
     unobservable_subspace : What a scheme does not show.
-    calibrate_by_poses : Without a turntable.
+    calibrate_multi_position : Without a turntable.
 
     Notes
     -----
@@ -188,19 +188,20 @@ def calibrate(
     >>> from driftlab.calibration import ERROR_MODELS
     >>> from driftlab.imu import TYPICAL_ERRORS
     >>> from driftlab.increments import measure
-    >>> from driftlab.motion import Scheme, table_trajectory
-    >>> true = table_trajectory(Scheme(""), latitude=0.7, interval=0.5)
+    >>> from driftlab.motion import Scheme, turntable_trajectory
+    >>> true = turntable_trajectory(Scheme(""), latitude=0.7, interval=0.5)
     >>> found = calibrate(
     ...     measure(true.increments, TYPICAL_ERRORS), np.zeros((12, 3)), latitude=0.7,
-    ...     start=true.attitude[0], model=ERROR_MODELS["averaged"], prior=PriorDeviations(),
+    ...     start=true.attitude[0], model=ERROR_MODELS["averaged"], prior=PriorStandardDeviations(),
     ...     noise=ImuNoise(),
     ... )
     >>> biases = [found.model.names.index(f"accelerometer bias {axis}") for axis in "xyz"]
-    >>> (found.deviations[-1, biases] / PriorDeviations().accelerometer_bias).round(2)
+    >>> prior = PriorStandardDeviations().accelerometer_bias
+    >>> (found.standard_deviations[-1, biases] / prior).round(2)
     array([0.76, 0.76, 0.32])
     """
     model = checked_model(model)
-    checked_instance(prior, PriorDeviations, "prior")
+    checked_instance(prior, PriorStandardDeviations, "prior")
     checked_noise(noise)
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     if isinstance(start, Scheme):
@@ -217,7 +218,7 @@ def calibrate(
     )
     speed_of_body(reference, "reference_velocity")
     keep = whole_number(keep, "keep")
-    told = Told(
+    inputs = FilterInputs(
         increments=measured,
         start=attitude,
         latitude=place,
@@ -226,13 +227,13 @@ def calibrate(
         noise=noise,
         reference=reference,
         ends=ends,
-        first=about is None,
+        first=linearization_point is None,
     )
-    if about is not None:
-        checked_about(about, model, told.lead)
-    doubted = _warn(seen[1:]) if check and (seen := told.impossible()) else None
+    if linearization_point is not None:
+        checked_about(linearization_point, model, inputs.lead)
+    doubted = _warn(seen[1:]) if check and (seen := inputs.impossible()) else None
     try:
-        found = _filtered(told, keep, about)
+        found = _filtered(inputs, keep, linearization_point)
     except (ValueError, np.linalg.LinAlgError) as failure:
         if doubted is None and prior.gyro_bias <= LARGE_BIAS:
             raise
@@ -241,30 +242,30 @@ def calibrate(
                 "prior: expected errors that the filter can follow, got a gyro_bias of "
                 f"{prior.gyro_bias:.3g} rad/s, and it could not go on: {failure} {TAKE_THE_MEAN}."
             )
-            raise FilterFailure(sentence, told.copied()) from failure
+            raise FilterFailure(sentence, inputs.copied()) from failure
         sentence = (
             "increments: expected a record that the filter can follow to its end, got one that "
             f"contradicts what was told, so that it could not go on: {failure} "
             "driftlab.diagnosis.diagnose, given this error, looks for the cause."
         )
-        raise FilterFailure(sentence, told.copied()) from doubted
+        raise FilterFailure(sentence, inputs.copied()) from doubted
     if check and doubted is None:
-        run, said = found._contradictions(told)
-        if not said and (noise_seen := told_noise(told.run(run))[0]):
+        run, said = found._contradictions(inputs)
+        if not said and (noise_seen := assumed_noise_contradictions(inputs.run(run))[0]):
             said = [
                 f"expected noise within a factor of {LARGER:g} of what was told, got "
                 + "; ".join(noise_seen)
             ]
         # What a slip makes of the errors is no reason for a second pass.
-        _warn(said or (found._too_large() if told.first else []))
-    return found._replace(told=told.copied()) if check else found
+        _warn(said or (found._too_large() if inputs.first else []))
+    return found._replace(inputs=inputs.copied()) if check else found
 
 
-def _warn(said: Sequence[str]) -> InconsistentWarning | None:
+def _warn(said: Sequence[str]) -> InconsistentCalibrationWarning | None:
     """Warn of contradictions, if there are any, where `calibrate` was called."""
     if not said:
         return None
-    warning = InconsistentWarning(
+    warning = InconsistentCalibrationWarning(
         f"calibration: {'. Besides, '.join(part.rstrip('?') for part in said)}; "
         "driftlab.diagnosis.diagnose(found) looks for the cause."
     )
@@ -272,10 +273,12 @@ def _warn(said: Sequence[str]) -> InconsistentWarning | None:
     return warning
 
 
-def _filtered(told: Told, keep: int, about: Calibration | None) -> Calibration:
+def _filtered(
+    inputs: FilterInputs, keep: int, linearization_point: Calibration | None
+) -> Calibration:
     """The filter itself."""
-    measured, attitude, place, model, prior, noise, reference, ends, _ = told
-    lead, interval = told.lead, measured.interval
+    measured, attitude, place, model, prior, noise, reference, ends, _ = inputs
+    lead, interval = inputs.lead, measured.interval
     kept = {*range(keep, len(ends), keep), len(ends)}
     lengths = np.diff(ends, prepend=0)
     free = {each: free_transition(place, each * interval) for each in set(lengths.tolist())}
@@ -285,8 +288,10 @@ def _filtered(told: Told, keep: int, about: Calibration | None) -> Calibration:
     # The starts of all runs are nearly one attitude; any of them gives the states' correlations.
     before = model.covariance(prior, attitude.reshape(-1, 4)[0])
     covariance = np.broadcast_to(before, (*lead, model.size, model.size))
-    if about is not None:
-        state, start_found = about._linearization_point(measured.part(0, ends[-1]), place)
+    if linearization_point is not None:
+        state, start_found = linearization_point._linearization_point(
+            measured.part(0, ends[-1]), place
+        )
         mean = -state
         back = quaternion.multiply(believed, quaternion.conjugate(start_found))
         mean[..., :3] = quaternion.to_rotation_vector(back)
@@ -294,7 +299,7 @@ def _filtered(told: Told, keep: int, about: Calibration | None) -> Calibration:
     changes = _rate_changes(measured.interval, measured.angle) if model.higher_order else None
     # Wu (51), (52): of all states the velocity error is seen, with noise.
     observed, spread = np.eye(3, model.size, 3), noise.reference_velocity**2 * np.eye(3)
-    now = home = at_rest(place, believed)
+    now = home = stationary_state(place, believed)
     nis_history, seen, history = [], [], []
     for k, (end, each) in enumerate(zip(ends.tolist(), lengths.tolist(), strict=True)):
         change = None if changes is None else changes[..., end - each : end, :]
@@ -304,7 +309,7 @@ def _filtered(told: Told, keep: int, about: Calibration | None) -> Calibration:
         )
         attitudes = np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
         growth = transition_of_increments(model, free[each], attitudes, true, change)
-        arrived = last_of(way)
+        arrived = final_state(way)
         mean = (growth @ mean[..., np.newaxis])[..., 0]
         added = process_noise(noise, growth[..., 3:6, :3], np.asarray(each * interval))
         covariance = kalman.predict(covariance, growth[..., :6, :], added)
@@ -319,7 +324,7 @@ def _filtered(told: Told, keep: int, about: Calibration | None) -> Calibration:
             velocity=arrived.velocity - mean[..., 3:6],
             attitude=quaternion.multiply(back, arrived.attitude),
         )
-        if about is None:  # fed back
+        if linearization_point is None:  # fed back
             state, mean, arrived = found, np.zeros_like(mean), corrected
         now = home._replace(velocity=arrived.velocity, attitude=arrived.attitude)
         nis_history.append(nis)

@@ -27,7 +27,7 @@ from driftlab.higher_order_errors import (
 from driftlab.imu import ImuErrors, ImuNoise, checked_imu_errors, checked_usual_imu_errors
 
 from .calibration_history import Calibration
-from .poses import PoseCalibration
+from .multi_position import MultiPositionCalibration
 
 _SCHEMA = "driftlab calibration 1"
 """Form of the text; the number counts up when an older program would misread it."""
@@ -39,9 +39,9 @@ _CONVENTION = (
 _TURN_CONVENTION = "sigma is half of what axes 1 2, 1 3 and 2 3 miss of a right angle"
 _UNITS = {
     "gyro_bias": "rad/s",
-    "gyro_error": "1",
+    "gyro_error_matrix": "1",
     "accelerometer_bias": "m/s^2",
-    "accelerometer_error": "1",
+    "accelerometer_error_matrix": "1",
     **{term.field: term.unit for term in TERMS.values()},
     "angle_random_walk": "rad/sqrt(s)",
     "velocity_random_walk": "(m/s)/sqrt(s)",
@@ -49,7 +49,7 @@ _UNITS = {
 }
 _TURN_UNITS = {
     "sigma": "1",
-    "scale": "1",
+    "scale_factor": "1",
     "gyro_bias": "rad/s",
     "earth_rate": "rad/s",
     "covariance": "variances of an estimate, SI",
@@ -65,7 +65,7 @@ class KeptCalibration(NamedTuple):
     ----------
     imu_errors : ImuErrors
         Biases and error matrices, SI units.
-    deviations : ImuErrors or None
+    standard_deviations : ImuErrors or None
         Their standard deviations, if they are known.
     higher_order : HigherOrderErrors or None
         Errors beyond bias and matrix, if there are any.
@@ -80,7 +80,7 @@ class KeptCalibration(NamedTuple):
     """
 
     imu_errors: ImuErrors
-    deviations: ImuErrors | None = None
+    standard_deviations: ImuErrors | None = None
     higher_order: HigherOrderErrors | None = None
     noise: ImuNoise | None = None
     body_axes: str = ""
@@ -90,7 +90,7 @@ class KeptCalibration(NamedTuple):
 
 
 def to_json(
-    found: ImuErrors | Calibration | PoseCalibration | KeptCalibration | TurnFit,
+    found: ImuErrors | Calibration | MultiPositionCalibration | KeptCalibration | TurnFit,
     *,
     axes: str = "",
     noise: ImuNoise | None = None,
@@ -101,9 +101,9 @@ def to_json(
 
     Parameters
     ----------
-    found : ImuErrors or Calibration or PoseCalibration or KeptCalibration or TurnFit
-        The errors of a unit, or what `calibrate`, `calibrate_by_poses` or `fit_turns` found; of a
-        calibration its end, with the standard deviations.
+    found : ImuErrors or Calibration or MultiPositionCalibration or KeptCalibration or TurnFit
+        The errors of a unit, or what `calibrate`, `calibrate_multi_position` or `fit_turns` found;
+        of a calibration its end, with the standard deviations.
     axes : str
         Where the body axes point, as in `driftlab.axes`.
     noise : ImuNoise, optional
@@ -165,7 +165,7 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
     --------
     >>> from driftlab.imu import TYPICAL_ERRORS
     >>> kept = from_json(to_json(TYPICAL_ERRORS))
-    >>> bool((kept.imu_errors.gyro_error == TYPICAL_ERRORS.gyro_error).all())
+    >>> bool((kept.imu_errors.gyro_error_matrix == TYPICAL_ERRORS.gyro_error_matrix).all())
     True
     >>> from_json(to_json(TYPICAL_ERRORS).replace("rad/s", "deg/s"))
     Traceback (most recent call last):
@@ -182,14 +182,16 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
     if schema != _SCHEMA:
         raise ValueError(f"schema: expected {_SCHEMA!r} or {_TURN_SCHEMA!r}, got {schema!r}.")
     _check_convention(document, _CONVENTION)
-    values, deviations = _quantities_of(document, _UNITS, ImuErrors._fields, ImuErrors._fields)
+    values, standard_deviations = _quantities_of(
+        document, _UNITS, ImuErrors._fields, ImuErrors._fields
+    )
     higher = {key: values[key] for key in HigherOrderErrors._fields if key in values}
     noise = {key: finite_number(values[key], key) for key in _NOISE if key in values}
     if noise and (missing := [key for key in _NOISE if key not in noise]):
         raise ValueError(f"quantities: expected all of {', '.join(_NOISE)}, got no {missing[0]}.")
     kept = KeptCalibration(
         checked_usual_imu_errors(ImuErrors(*(values[key] for key in ImuErrors._fields))),
-        checked_imu_errors(ImuErrors(**deviations)) if deviations else None,
+        checked_imu_errors(ImuErrors(**standard_deviations)) if standard_deviations else None,
         checked_higher_order_errors(NO_HIGHER_ORDER_ERRORS._replace(**higher)) if higher else None,
         ImuNoise(**noise) if noise else None,
         *(_word_of(document, key) for key in ("body_axes", "axes", "name", "date")),
@@ -199,7 +201,7 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
 
 
 def _document(
-    found: ImuErrors | Calibration | PoseCalibration | KeptCalibration | TurnFit,
+    found: ImuErrors | Calibration | MultiPositionCalibration | KeptCalibration | TurnFit,
     *,
     axes: str = "",
     noise: ImuNoise | None = None,
@@ -219,7 +221,9 @@ def _document(
     head = {key: word or getattr(kept, key) for key, word in head.items()}
     _check_axes_and_date(head["axes"], head["date"])
     quantities: dict[str, Any] = {}
-    spread = None if kept.deviations is None else checked_imu_errors(kept.deviations)
+    spread = (
+        None if kept.standard_deviations is None else checked_imu_errors(kept.standard_deviations)
+    )
     for key, value in checked_usual_imu_errors(kept.imu_errors)._asdict().items():
         quantities[key] = (_UNITS[key], value, spread and getattr(spread, key))
     if kept.higher_order is not None:
@@ -232,30 +236,36 @@ def _document(
     return _written(_SCHEMA, head | {"body_axes": kept.body_axes}, _CONVENTION, quantities)
 
 
-def _kept(found: ImuErrors | Calibration | PoseCalibration | KeptCalibration) -> KeptCalibration:
+def _kept(
+    found: ImuErrors | Calibration | MultiPositionCalibration | KeptCalibration,
+) -> KeptCalibration:
     """What is kept of a unit or of a calibration."""
     if isinstance(found, KeptCalibration):
         return found
     if isinstance(found, ImuErrors):
         return KeptCalibration(found)
-    if isinstance(found, PoseCalibration):
+    if isinstance(found, MultiPositionCalibration):
         # There G acts beside (I + K), here within.
-        inverse = np.linalg.inv(np.eye(3) + found.imu_errors.gyro_error)
+        inverse = np.linalg.inv(np.eye(3) + found.imu_errors.gyro_error_matrix)
         higher = NO_HIGHER_ORDER_ERRORS._replace(gyro_g_sensitivity=inverse @ found.sensitivity)
         felt = higher if found.sensitivity.any() else None
-        return KeptCalibration(found.imu_errors, found.deviations, felt, body_axes=found.body_axes)
+        return KeptCalibration(
+            found.imu_errors, found.standard_deviations, felt, body_axes=found.body_axes
+        )
     if isinstance(found, Calibration):
         model, state = found.model, found.state[..., -1, :]
         each = model.imu_errors(np.eye(model.size))
         covariance = found.covariance[..., -1, :, :]
-        deviations = ImuErrors(
+        standard_deviations = ImuErrors(
             *(_deviations(covariance, np.asarray(one), value.shape) for one, value in
               zip(each, found.imu_errors, strict=True))
         )  # fmt: skip
         felt = model.higher_order_errors(state) if model.higher_order else None
-        return KeptCalibration(found.imu_errors, deviations, felt, body_axes=model.frame or "")
+        return KeptCalibration(
+            found.imu_errors, standard_deviations, felt, body_axes=model.frame or ""
+        )
     raise ValueError(
-        "found: expected ImuErrors, a Calibration, a PoseCalibration or a TurnFit, "
+        "found: expected ImuErrors, a Calibration, a MultiPositionCalibration or a TurnFit, "
         f"got {type(found).__name__}."
     )
 
@@ -335,7 +345,7 @@ def _quantities_of(
         raise ValueError(f"quantities: expected some by name, got {quantities!r:.60}.")
     if missing := [key for key in needed if key not in quantities]:
         raise ValueError(f"quantities: expected {', '.join(needed)}, got no {missing[0]}.")
-    values, deviations = {}, {}
+    values, standard_deviations = {}, {}
     for key, said in quantities.items():
         if key not in units:
             raise ValueError(f"quantities: expected some of {', '.join(units)}, got {key!r}.")
@@ -348,10 +358,12 @@ def _quantities_of(
             raise ValueError(f"{key}: expected the unit {units[key]}, got {said.get('unit')!r}.")
         values[key] = _numbers(said["value"], key)
         if "deviation" in said:
-            deviations[key] = _deviation(said["deviation"], values[key], key)
-    if deviations and (missing := [key for key in uncertain if key not in deviations]):
+            standard_deviations[key] = _deviation(said["deviation"], values[key], key)
+    if standard_deviations and (
+        missing := [key for key in uncertain if key not in standard_deviations]
+    ):
         raise ValueError(f"{missing[0]}: expected a deviation, as others have one, got none.")
-    return values, deviations
+    return values, standard_deviations
 
 
 def _numbers(value: Any, name: str) -> FloatArray:
@@ -384,7 +396,9 @@ def _check_convention(document: dict[str, Any], expected: str) -> None:
 def _check_sizes(fit: dict[str, FloatArray]) -> None:
     """Refuse what is no fit of turns: other than three sigmas, a covariance of other unknowns."""
     finite_array(fit["sigma"], "sigma", 3)
-    unknowns = (np.atleast_1d(fit[key]) for key in ("sigma", "scale", "gyro_bias", "earth_rate"))
+    unknowns = (
+        np.atleast_1d(fit[key]) for key in ("sigma", "scale_factor", "gyro_bias", "earth_rate")
+    )
     size = sum(each.shape[-1] for each in unknowns)
     finite_array(fit["covariance"], "covariance", size, size)
 

@@ -33,11 +33,11 @@ class NominalReadings:
 
     Attributes
     ----------
-    gyro_scale : array_like, shape () or (3,)
+    gyro_scale_factor : array_like, shape () or (3,)
         rad/s a reading, of all gyros or of each.
     gyro_zero : array_like, shape () or (3,)
         Reading of a gyro that does not turn.
-    accelerometer_scale : array_like, shape () or (3,)
+    accelerometer_scale_factor : array_like, shape () or (3,)
         m/s^2 a reading.
     accelerometer_zero : array_like, shape () or (3,)
         Reading of an accelerometer without specific force.
@@ -54,9 +54,9 @@ class NominalReadings:
     (array([1., 1., 1.]), array([33183., 33183., 33183.]))
     """
 
-    gyro_scale: ArrayLike = 1.0
+    gyro_scale_factor: ArrayLike = 1.0
     gyro_zero: ArrayLike = 0.0
-    accelerometer_scale: ArrayLike = 1.0
+    accelerometer_scale_factor: ArrayLike = 1.0
     accelerometer_zero: ArrayLike = 0.0
 
     def __post_init__(self) -> None:
@@ -66,7 +66,7 @@ class NominalReadings:
                 raise ValueError(
                     f"{field.name}: expected shape () or (3,), got shape {array.shape}."
                 )
-            if field.name.endswith("scale"):
+            if field.name.endswith("scale_factor"):
                 positive_array(array, field.name)
             plain = array.tolist()  # so that readings can be compared, and nobody changes them
             keep(self, **{field.name: tuple(plain) if array.ndim else plain})
@@ -83,8 +83,8 @@ class NominalReadings:
         The matrices (..., 3, 3) are in readings per rad/s and per m/s^2, the offsets (..., 3) in
         readings.
         """
-        gyro_scale, gyro_zero, scale, zero = self._threes()
-        gyro = gyro_scale[:, np.newaxis] * finite_array(gyro_matrix, "gyro_matrix", 3, 3)
+        gyro_scale_factor, gyro_zero, scale, zero = self._threes()
+        gyro = gyro_scale_factor[:, np.newaxis] * finite_array(gyro_matrix, "gyro_matrix", 3, 3)
         accelerometer = scale[:, np.newaxis] * finite_array(
             accelerometer_matrix, "accelerometer_matrix", 3, 3
         )
@@ -101,7 +101,7 @@ class NominalReadings:
         accelerometer_offset = finite_array(accelerometer_offset, "accelerometer_offset", 3)
         return checked_imu_errors(
             ImuErrors(
-                gyro_scale * (gyro_offset - gyro_zero),
+                gyro_scale_factor * (gyro_offset - gyro_zero),
                 gyro - np.eye(3),
                 scale * (accelerometer_offset - zero),
                 accelerometer - np.eye(3),
@@ -112,12 +112,12 @@ class NominalReadings:
         self, imu_errors: ImuErrors
     ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
         """Matrix and offset of the gyros' readings and of the accelerometers', from errors."""
-        gyro_scale, gyro_zero, scale, zero = self._threes()
+        gyro_scale_factor, gyro_zero, scale, zero = self._threes()
         imu_errors = checked_imu_errors(imu_errors)
         return (
-            (np.eye(3) + imu_errors.gyro_error) / gyro_scale[:, np.newaxis],
-            imu_errors.gyro_bias / gyro_scale + gyro_zero,
-            (np.eye(3) + imu_errors.accelerometer_error) / scale[:, np.newaxis],
+            (np.eye(3) + imu_errors.gyro_error_matrix) / gyro_scale_factor[:, np.newaxis],
+            imu_errors.gyro_bias / gyro_scale_factor + gyro_zero,
+            (np.eye(3) + imu_errors.accelerometer_error_matrix) / scale[:, np.newaxis],
             imu_errors.accelerometer_bias / scale + zero,
         )
 
@@ -182,7 +182,8 @@ class ImuTkMatrices:
     >>> matrices = ImuTkMatrices.from_imu_errors(TYPICAL_ERRORS)
     >>> float(matrices.gyro_K[0, 0].round(7))  # the x gyro reads 10 ppm too much
     0.99999
-    >>> np.allclose(matrices.imu_errors.gyro_error, TYPICAL_ERRORS.gyro_error, atol=1e-15)
+    >>> back = matrices.imu_errors.gyro_error_matrix
+    >>> np.allclose(back, TYPICAL_ERRORS.gyro_error_matrix, atol=1e-15)
     True
     """
 
@@ -214,7 +215,10 @@ class ImuTkMatrices:
         gyro, gyro_b, acc, acc_b = checked_instance(readings, NominalReadings, "readings").triads(
             imu_errors
         )
-        gyro, acc = checked_inverse(gyro, "gyro_error"), checked_inverse(acc, "accelerometer_error")
+        gyro, acc = (
+            checked_inverse(gyro, "gyro_error_matrix"),
+            checked_inverse(acc, "accelerometer_error_matrix"),
+        )
         gyro_K, acc_K = gyro * np.eye(3), acc * np.eye(3)
         gyro_T, acc_T = gyro @ np.linalg.inv(gyro_K), acc @ np.linalg.inv(acc_K)
         return cls(acc_T, acc_K, acc_b, gyro_T, gyro_K, gyro_b, readings=readings)
@@ -251,7 +255,8 @@ class KalibrMatrices:
     --------
     >>> lower = np.array([[0.99, 0, 0], [0.02, 1.01, 0], [0, 0, 1.0]])
     >>> kalibr = KalibrMatrices(lower, lower, np.eye(3))
-    >>> float(kalibr.imu_errors.accelerometer_error[0, 0].round(3))  # reads one per cent too little
+    >>> matrix = kalibr.imu_errors.accelerometer_error_matrix
+    >>> float(matrix[0, 0].round(3))  # reads one per cent too little
     -0.01
     """
 
@@ -285,16 +290,16 @@ class KalibrMatrices:
     def from_imu_errors(cls, imu_errors: ImuErrors) -> Self:
         """kalibr's matrices of a unit that has kalibr's body axes."""
         errors = checked_imu_errors(imu_errors)
-        above = np.abs(np.triu(errors.accelerometer_error, 1)).max()
+        above = np.abs(np.triu(errors.accelerometer_error_matrix, 1)).max()
         if above > _ROUNDING:
             raise ValueError(
-                "accelerometer_error: expected zeros above the diagonal, as kalibr's body axes "
-                f"have it, got up to {above:.3g}; change them by imu_errors_in_frame."
+                "accelerometer_error_matrix: expected zeros above the diagonal, as kalibr's body "
+                f"axes have it, got up to {above:.3g}; change them by imu_errors_in_frame."
             )
-        turn = body_frame_rotation(errors.gyro_error, frame="upper triangle")
+        turn = body_frame_rotation(errors.gyro_error_matrix, frame="upper triangle")
         return cls(
-            np.eye(3) + errors.accelerometer_error,
-            np.tril((np.eye(3) + errors.gyro_error) @ np.swapaxes(turn, -1, -2)),
+            np.eye(3) + errors.accelerometer_error_matrix,
+            np.tril((np.eye(3) + errors.gyro_error_matrix) @ np.swapaxes(turn, -1, -2)),
             turn,
             gyro_bias=errors.gyro_bias,
             accelerometer_bias=errors.accelerometer_bias,
@@ -314,7 +319,7 @@ class ImucalMatrices:
         What the gyros feel of specific force, in readings per m/s^2; refused if not zero.
     readings : NominalReadings
         What its readings are; SI unless told, for degrees per second say
-        ``NominalReadings(gyro_scale=degree)``.
+        ``NominalReadings(gyro_scale_factor=degree)``.
 
     Notes
     -----
@@ -324,10 +329,10 @@ class ImucalMatrices:
 
     Examples
     --------
-    >>> readings = NominalReadings(gyro_scale=degree)
+    >>> readings = NominalReadings(gyro_scale_factor=degree)
     >>> ferraris = ImucalMatrices(np.eye(3), np.eye(3), np.zeros(3),
     ...                           1.03 * np.eye(3), np.eye(3), np.zeros(3), readings=readings)
-    >>> float(ferraris.imu_errors.gyro_error[0, 0].round(3))
+    >>> float(ferraris.imu_errors.gyro_error_matrix[0, 0].round(3))
     0.03
     """
 
@@ -486,6 +491,6 @@ def _matrix_before_bias(
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Matrices and biases such that true is a matrix times what is measured, less a bias."""
     gyro, gyro_bias, accelerometer, bias = _SI_READINGS.triads(checked_imu_errors(imu_errors))
-    gyro = checked_inverse(gyro, "gyro_error")
-    accelerometer = checked_inverse(accelerometer, "accelerometer_error")
+    gyro = checked_inverse(gyro, "gyro_error_matrix")
+    accelerometer = checked_inverse(accelerometer, "accelerometer_error_matrix")
     return gyro, transform(gyro, gyro_bias), accelerometer, transform(accelerometer, bias)

@@ -24,7 +24,7 @@ from driftlab.checks import (
 from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.earth import earth_rate, gravity
-from driftlab.imu import ImuErrors, PriorDeviations
+from driftlab.imu import ImuErrors, PriorStandardDeviations
 from driftlab.motion.scheme import Scheme
 from driftlab.motion.turntable import Segment
 
@@ -196,7 +196,7 @@ def unobservable_subspace(linearized: LinearizedErrors) -> UnobservableSubspace:
 
 def _typical(model: ErrorModel, start: FloatArray) -> FloatArray:
     """Standard deviations (size,) of the states of a typical unit; 1 cm/s for velocity."""
-    scale = np.sqrt(np.diag(model.covariance(PriorDeviations(), start)))
+    scale = np.sqrt(np.diag(model.covariance(PriorStandardDeviations(), start)))
     scale[3:6] = 0.01
     return scale
 

@@ -30,7 +30,7 @@ from driftlab.checks import (
     whole_number,
 )
 from driftlab.earth import checked_latitude
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import Scheme, checked_scheme
 
 from .covariance import IntArray, Row, _row_covariances, _RowCovariances, _TableMoves
@@ -69,7 +69,7 @@ class DesignTask:
         Of the table, rad; not a pole.
     model : ErrorModel
         The states.
-    noise, prior : ImuNoise, PriorDeviations
+    noise, prior : ImuNoise, PriorStandardDeviations
         Noise of the sensors and of the reference velocity, and deviations before.
     rate : float
         Of the turns, rad/s.
@@ -99,14 +99,14 @@ class DesignTask:
     latitude: float = float(np.radians(37.5))
     model: ErrorModel = ERROR_MODELS["averaged"]
     noise: ImuNoise = field(default_factory=ImuNoise)
-    prior: PriorDeviations = field(default_factory=PriorDeviations)
+    prior: PriorStandardDeviations = field(default_factory=PriorStandardDeviations)
     rate: float = float(np.radians(10.0))
 
     def __post_init__(self) -> None:
         one_of(self.criterion, CRITERIA, "criterion")
         keep(self, model=checked_model(self.model))
         checked_noise(self.noise)
-        checked_instance(self.prior, PriorDeviations, "prior")
+        checked_instance(self.prior, PriorStandardDeviations, "prior")
         keep(
             self,
             latitude=float(checked_latitude(finite_number(self.latitude, "latitude"))),

@@ -35,13 +35,13 @@ from driftlab.higher_order_errors import (
 from driftlab.imu import (
     ImuErrors,
     ImuNoise,
-    PriorDeviations,
+    PriorStandardDeviations,
     checked_imu_errors,
     random_imu_errors,
 )
 from driftlab.increments import measure
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme, checked_scheme
-from driftlab.motion.turntable import table_trajectory
+from driftlab.motion.turntable import turntable_trajectory
 
 from .body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from .calibration_history import Calibration
@@ -49,7 +49,7 @@ from .error_dynamics import checked_noise, linearize_along
 from .error_model import (
     ERROR_MODELS,
     ErrorModel,
-    _prior_deviations,
+    _prior_standard_deviations,
     _unpacked,
 )
 from .filter import calibrate
@@ -103,7 +103,7 @@ def _estimation_errors(
 
 
 @dataclass(frozen=True)
-class TableTrial:
+class TurntableTrial:
     """A calibration on a turntable: everything that it depends on but the random draws.
 
     Attributes
@@ -116,7 +116,7 @@ class TableTrial:
         Choice of body axes, one of `driftlab.body_frames.BODY_FRAMES`.
     states : tuple of str
         What the filter looks for besides: see `ErrorModel.with_states`.
-    prior, noise : PriorDeviations, ImuNoise
+    prior, noise : PriorStandardDeviations, ImuNoise
         Distributions of the sensor errors, of the initial attitude and of the noise: those of the
         simulation, and those that the filter assumes.
     assumed_noise : ImuNoise, optional
@@ -139,17 +139,17 @@ class TableTrial:
     --------
     True scale-factor error of a gyro and the one found in eleven minutes, in ppm:
 
-    >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
+    >>> trial = TurntableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
     >>> found = trial.run(np.random.default_rng(1))
     >>> both = found.imu_errors, found.calibration.imu_errors
-    >>> [round(1e6 * float(errors.gyro_error[0, 0])) for errors in both]
+    >>> [round(1e6 * float(errors.gyro_error_matrix[0, 0])) for errors in both]
     [-130, -103]
     """
 
     scheme: Scheme = NINETEEN_POSITIONS
     latitude: float = float(np.radians(37.5))
     frame: str = "averaged"
-    prior: PriorDeviations = field(default_factory=PriorDeviations)
+    prior: PriorStandardDeviations = field(default_factory=PriorStandardDeviations)
     noise: ImuNoise = field(default_factory=ImuNoise)
     assumed_noise: ImuNoise | None = None
     sample_interval: float = 0.05
@@ -165,7 +165,7 @@ class TableTrial:
 
     def __post_init__(self) -> None:
         keep(self, scheme=checked_scheme(self.scheme))
-        checked_instance(self.prior, PriorDeviations, "prior")
+        checked_instance(self.prior, PriorStandardDeviations, "prior")
         checked_instance(self.noise, ImuNoise, "noise")
         assumed = "noise" if self.assumed_noise is None else "assumed_noise"
         checked_noise(getattr(self, assumed), assumed)
@@ -215,7 +215,7 @@ class TableTrial:
         # Each run has noise of its own, also of one and the same unit.
         lead = imu_errors.gyro_bias.shape[:-1]
         samples = round(self.update_interval / self.sample_interval)
-        true = table_trajectory(
+        true = turntable_trajectory(
             self.scheme, self.latitude, self.sample_interval, multiple_of=samples
         )
         higher_order = self._higher_order(higher_order, source, lead)
@@ -240,7 +240,7 @@ class TableTrial:
         )
         calibration = one_pass()
         for _ in range(1, self.passes):
-            calibration = one_pass(about=calibration)
+            calibration = one_pass(linearization_point=calibration)
         places = np.round(calibration.times / self.sample_interval).astype(int)
         known = NO_HIGHER_ORDER_ERRORS if higher_order is None else higher_order
         errors = _estimation_errors(calibration, imu_errors, true.attitude[places], known)
@@ -254,5 +254,5 @@ class TableTrial:
             return checked_higher_order_errors(given)
         if not self.model.higher_order:
             return None
-        sizes = _prior_deviations(self.prior, self.model.higher_order)
+        sizes = _prior_standard_deviations(self.prior, self.model.higher_order)
         return _unpacked(sizes * rng.standard_normal((*lead, sizes.size)), self.model.higher_order)

@@ -42,7 +42,7 @@ def checked_moments(times: ArrayLike) -> FloatArray:
     return moments
 
 
-STATIC_CAUSES = (
+STATIC_ERROR_SOURCES = (
     *(f"attitude {axis}" for axis in ("East", "North", "Up")),
     *(f"velocity {axis}" for axis in ("East", "North")),
     *(f"position {axis}" for axis in ("East", "North")),
@@ -56,7 +56,7 @@ states; three biases of gyros in rad/s; two of accelerometers in m/s^2. All in l
 class StaticErrorModes(NamedTuple):
     """Errors at rest as sums of a constant, a line and three oscillations.
 
-    Matrices (7, 12) take causes, in the order of `STATIC_CAUSES`, to the seven states.
+    Matrices (7, 12) take causes, in the order of `STATIC_ERROR_SOURCES`, to the seven states.
 
     Attributes
     ----------
@@ -148,7 +148,7 @@ def static_error_modes(latitude: float) -> StaticErrorModes:
     both sides:
 
     >>> modes = static_error_modes(np.radians(45.0))
-    >>> tilt = STATIC_CAUSES.index("attitude North")
+    >>> tilt = STATIC_ERROR_SOURCES.index("attitude North")
     >>> radius = modes.cosine[1:, 5, tilt].sum()
     >>> f"{radius / 1e6:.2f}"
     '6.38'
@@ -226,7 +226,7 @@ def _rates(latitude: float) -> StaticErrorRates:
     return StaticErrorRates(EARTH_RATE, float(np.sqrt(product / larger)), float(np.sqrt(larger)))
 
 
-def static_causes(
+def static_error_sources(
     imu_errors: ImuErrors,
     estimated: ImuErrors,
     attitude: ArrayLike,
@@ -251,9 +251,9 @@ def static_causes(
     Returns
     -------
     ndarray, shape (..., 12)
-        In the order of `STATIC_CAUSES`. The biases are all that the compensated sensors show beside
-        the Earth's rate and gravity in the axes of `reference`, so scale and installation errors
-        are in them, and the distance of the reference from the unit's own axes.
+        In the order of `STATIC_ERROR_SOURCES`. The biases are all that the compensated sensors show
+        beside the Earth's rate and gravity in the axes of `reference`, so scale and installation
+        errors are in them, and the distance of the reference from the unit's own axes.
 
     Examples
     --------
@@ -262,8 +262,10 @@ def static_causes(
     >>> from driftlab.imu import NO_ERRORS
     >>> unit = NO_ERRORS._replace(accelerometer_bias=np.array([1e-4, 0, 0]))
     >>> level = [0.0, 0.0, 0.0, 1.0]
-    >>> causes = static_causes(unit, NO_ERRORS, level, start=level, reference=level, latitude=0.7)
-    >>> print(STATIC_CAUSES[10], float(causes[10].round(6)))
+    >>> sources = static_error_sources(
+    ...     unit, NO_ERRORS, level, start=level, reference=level, latitude=0.7
+    ... )
+    >>> print(STATIC_ERROR_SOURCES[10], float(sources[10].round(6)))
     accelerometer bias East 0.0001
     """
     axes = unit_quaternions(reference, "reference")
@@ -291,7 +293,7 @@ def static_errors(times: ArrayLike, latitude: float, causes: ArrayLike) -> Stati
     latitude : float
         rad; not a pole.
     causes : array_like, shape (..., 12)
-        Errors at the start and sensor biases, in the order of `STATIC_CAUSES`.
+        Errors at the start and sensor biases, in the order of `STATIC_ERROR_SOURCES`.
 
     Returns
     -------
@@ -303,12 +305,12 @@ def static_errors(times: ArrayLike, latitude: float, causes: ArrayLike) -> Stati
     Position error in km after four hours with an East gyro bias of 0.01 deg/h:
 
     >>> causes = np.zeros(12)
-    >>> causes[STATIC_CAUSES.index("gyro bias East")] = np.radians(0.01) / 3600
+    >>> causes[STATIC_ERROR_SOURCES.index("gyro bias East")] = np.radians(0.01) / 3600
     >>> errors = static_errors([4 * 3600.0], np.radians(37.5), causes)
     >>> (errors.position[0] / 1e3).round(1)
     array([-1.4, -3.8])
     """
-    given = finite_array(causes, "causes", len(STATIC_CAUSES))
+    given = finite_array(causes, "causes", len(STATIC_ERROR_SOURCES))
     moments = checked_moments(times)
     states = np.einsum(
         "kij,...j->...ki", static_error_modes(latitude).at(moments).sum(axis=0), given
@@ -316,7 +318,7 @@ def static_errors(times: ArrayLike, latitude: float, causes: ArrayLike) -> Stati
     return StaticNavigationErrors(moments, states[..., :3], states[..., 3:5], states[..., 5:7])
 
 
-def schuler_position(times: ArrayLike, latitude: float, causes: ArrayLike) -> FloatArray:
+def schuler_position_error(times: ArrayLike, latitude: float, causes: ArrayLike) -> FloatArray:
     """Position errors as textbooks approximate them: one pendulum, and an Earth that hardly turns.
 
     Parameters
@@ -341,14 +343,14 @@ def schuler_position(times: ArrayLike, latitude: float, causes: ArrayLike) -> Fl
     The same bias as in `static_errors`, after forty minutes and after four hours:
 
     >>> causes = np.zeros(12)
-    >>> causes[STATIC_CAUSES.index("gyro bias East")] = np.radians(0.01) / 3600
+    >>> causes[STATIC_ERROR_SOURCES.index("gyro bias East")] = np.radians(0.01) / 3600
     >>> times, latitude = [2400.0, 14400.0], np.radians(37.5)
     >>> exact = static_errors(times, latitude, causes).position[:, 1]
-    >>> (schuler_position(times, latitude, causes)[:, 1] / exact).round(2)
+    >>> (schuler_position_error(times, latitude, causes)[:, 1] / exact).round(2)
     array([1.01, 1.21])
     """
     place = float(checked_latitude(finite_number(latitude, "latitude")))
-    given = finite_array(causes, "causes", len(STATIC_CAUSES))
+    given = finite_array(causes, "causes", len(STATIC_ERROR_SOURCES))
     time = checked_moments(times)
     rate = _rates(place).schuler
     radius = float(gravity(place)) / rate**2

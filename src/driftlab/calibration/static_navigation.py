@@ -19,7 +19,7 @@ from driftlab.earth import checked_latitude, curvature_radii
 from driftlab.imu import ImuErrors, ImuNoise
 from driftlab.increments import compensate, measure
 from driftlab.motion.turntable import static_trajectory
-from driftlab.strapdown import at_rest, navigate
+from driftlab.strapdown import navigate, stationary_state
 
 from .body_axes import attitude_error
 
@@ -139,7 +139,7 @@ def navigate_static(
     believed, axes = unit_quaternions(start, "start"), unit_quaternions(reference, "reference")
     lead = np.broadcast_shapes(compensated.angle.shape[:-2], believed.shape[:-1], axes.shape[:-1])
     way = navigate(
-        at_rest(latitude, np.broadcast_to(believed, (*lead, 4))),
+        stationary_state(latitude, np.broadcast_to(believed, (*lead, 4))),
         compensated,
         every=each,
         hold_altitude=True,

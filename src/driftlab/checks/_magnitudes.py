@@ -65,8 +65,8 @@ _USUAL = {
     "accelerometer_bias": _Usual(
         LARGEST_ACCELEROMETER_BIAS, "m/s^2", "mg were meant, {0:g}e-3 * 9.81"
     ),
-    "scale": _Usual(1.0, "parts of the scale", "ppm were meant, {0:g}e-6"),
-    "scale_asymmetry": _Usual(0.1, "parts of the scale", "ppm were meant, {0:g}e-6"),
+    "scale_factor": _Usual(1.0, "parts of the scale", "ppm were meant, {0:g}e-6"),
+    "scale_factor_asymmetry": _Usual(0.1, "parts of the scale", "ppm were meant, {0:g}e-6"),
     "installation": _Usual(1.0, "rad", "arc seconds were meant, np.radians({0:g} / 3600)"),
 }
 
@@ -204,7 +204,9 @@ def usual_deviation(value: object, name: str, stacklevel: int = 4) -> float:
     return number
 
 
-def error_matrix(matrix: FloatArray, name: str, scale: float = LARGEST_ERROR) -> FloatArray:
+def plausible_error_matrix(
+    matrix: FloatArray, name: str, scale: float = LARGEST_ERROR
+) -> FloatArray:
     """Return the error matrix M of a triad, refusing the whole matrix I + M.
 
     A large entry gives an `UnusualWarning`. `scale` is the largest usual diagonal entry; above one

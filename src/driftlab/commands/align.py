@@ -105,7 +105,7 @@ class AtRest:
             seen = rate_contradiction(self.swaying.level_rate, latitude=latitude)
         else:
             return np.nan, np.nan
-        doubt = float(seen.heading_doubt)
+        doubt = float(seen.heading_uncertainty)
         return float(seen.spurious_rate), NOTHING_KNOWN if doubt > MOST else doubt
 
 
@@ -358,7 +358,7 @@ def _values(found: AtRest) -> dict[str, Any]:
         values["heading_noise_deviation"] = deviation.heading
         values["compass_heading"] = values["heading"] | {"value": _compass(whole.heading)}
     if not np.isnan(found.drift):
-        values["heading_bias_deviation"] = found.turn
+        values["heading_bias_standard_deviation"] = found.turn
         values["gyro_drift_deviation"] = found.drift
     if swaying is not None:
         values["in_inertial_space"] = {
@@ -370,7 +370,7 @@ def _values(found: AtRest) -> dict[str, Any]:
             "roll": swaying.roll,
             "tilt_deviation": found.tilt,
         }
-    return {**values, "mean_rate_fur": found.rate, "earth_seen": not found.biased}
+    return {**values, "mean_rate_fur": found.rate, "earth_rate_sensed": not found.biased}
 
 
 def _columns(found: AtRest) -> dict[str, Any]:

@@ -85,8 +85,8 @@ def _terms_table(one: Triad) -> Table:
     for term, name, unit in zip(TERMS, NAMES, one.units, strict=True):
         cells = []
         for _, fit in one.axes.values():
-            if term in fit.deviations:
-                cells.append(unit.pair(getattr(fit.terms, term), fit.deviations[term]))
+            if term in fit.standard_deviations:
+                cells.append(unit.pair(getattr(fit.terms, term), fit.standard_deviations[term]))
             else:
                 bound = unit.text(fit.upper_bounds.get(term, np.inf), digits=2)
                 cells.append(bound if bound == "-" else f"< {bound}")
@@ -169,7 +169,7 @@ def _values(one: Triad) -> dict[str, Any]:
             "lower": found.lower,
             "upper": found.upper,
             "terms": {term: getattr(fit.terms, term) for term in TERMS},
-            "deviations": fit.deviations,
+            "standard_deviations": fit.standard_deviations,
             "upper_bounds": fit.upper_bounds,
         }
         for axis, (found, fit) in one.axes.items()

@@ -17,17 +17,17 @@ from driftlab.calibration import (
     KalibrMatrices,
     PsinsMatrices,
     RosMatrices,
-    calibrate_by_poses,
+    calibrate_multi_position,
     imu_errors_in_frame,
     to_json,
 )
 from driftlab.calibration.body_axes import POSE_AXES
-from driftlab.calibration.poses import PoseCalibration
+from driftlab.calibration.multi_position import MultiPositionCalibration
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
 from driftlab.imu import ImuErrors
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rest_detection import Rests, rests
+from driftlab.recordings.static_detection import StaticIntervals, static_intervals
 
 from .example import OPTIONS
 from .findings import (
@@ -58,7 +58,7 @@ MILLI_G, ARCMIN = FORCES[0], SMALL_ANGLES[0]
 TRIADS = {"gyro": RATES, "accelerometer": FORCES}  # and the units of their biases
 # Of residuals: their names, and the units of their deviations.
 KINDS = {
-    "rests": ("force at rest", FORCES),
+    "static_intervals": ("force at rest", FORCES),
     "moves": ("gravity after a move", SMALL_ANGLES),
     "rates": ("gyros at rest", RATES),
 }
@@ -128,7 +128,7 @@ def find(recording: Recording, options: argparse.Namespace, step: Step) -> Findi
     """Find the rests, fit the errors, and see whether noise explains what is left."""
     forces(recording)  # refuses a log of gyros alone
     step("find the rests")
-    found = rests(
+    found = static_intervals(
         recording, window=options.window, multiple=options.multiple, shortest=options.shortest
     )
     if recording.gravity is None and recording.latitude is None:
@@ -137,7 +137,7 @@ def find(recording: Recording, options: argparse.Namespace, step: Step) -> Findi
             "gravity is what the accelerometers are held against; got neither."
         )
     step("fit")
-    fit = calibrate_by_poses(
+    fit = calibrate_multi_position(
         recording,
         found,
         body_axes=options.body_axes.replace("-", " "),
@@ -153,7 +153,7 @@ def find(recording: Recording, options: argparse.Namespace, step: Step) -> Findi
     tables.append(_consistency_table(fit))
     if options.sensitivity:
         unit = Unit("deg/s for 1 g", degree / g)
-        rows = _matrix_rows(fit.sensitivity, fit.sensitivity_deviations, unit)
+        rows = _matrix_rows(fit.sensitivity, fit.sensitivity_standard_deviations, unit)
         tables.append(Table("Gyros, of force", ("", *AXES, "unit"), tuple(rows)))
     details = [_rests_table(found, fit, turns)]
     details += [_form_table(fit.imu_errors, form) for form in dict.fromkeys(options.form)]
@@ -176,11 +176,11 @@ def find(recording: Recording, options: argparse.Namespace, step: Step) -> Findi
     )
 
 
-def _triad_table(fit: PoseCalibration, name: str) -> Table:
+def _triad_table(fit: MultiPositionCalibration, name: str) -> Table:
     """Bias, scale, and what each sensor feels of the other axes; columns are sensors."""
     (bias, error), (bias_spread, error_spread) = (
-        (getattr(each, f"{name}_bias"), getattr(each, f"{name}_error"))
-        for each in (fit.imu_errors, fit.deviations)
+        (getattr(each, f"{name}_bias"), getattr(each, f"{name}_error_matrix"))
+        for each in (fit.imu_errors, fit.standard_deviations)
     )
     scale, across = np.diag(error), error - np.diag(np.diag(error))
     rows = [
@@ -208,8 +208,8 @@ def _row(name: str, values: FloatArray, spreads: FloatArray, unit: Unit) -> tupl
     return (name, *cells, unit.name)
 
 
-def _consistency_table(fit: PoseCalibration) -> Table:
-    rows, earth = [], {"rests": 0.0, "moves": fit.earth_turn, "rates": EARTH_RATE}
+def _consistency_table(fit: MultiPositionCalibration) -> Table:
+    rows, earth = [], {"static_intervals": 0.0, "moves": fit.earth_turn, "rates": EARTH_RATE}
     for kind, (name, _) in KINDS.items():
         test = fit.consistency[kind]
         if np.isnan(test.upper):
@@ -224,11 +224,11 @@ def _consistency_table(fit: PoseCalibration) -> Table:
         square, freedom, low, high = (written(x, digits=3) for x in test[:4])
         rows.append((name, square, freedom, f"{low} to {high}", verdict))
     note = "The sum of the squared residuals over those of the noise, and where 95 of 100 lie."
-    head = ("", "chi-square", "freedom", "expected", "")
+    head = ("", "chi-square", "degrees_of_freedom", "expected", "")
     return Table("Does noise explain what is left?", head, tuple(rows), note)
 
 
-def _rests_table(found: Rests, fit: PoseCalibration, turns: FloatArray) -> Table:
+def _rests_table(found: StaticIntervals, fit: MultiPositionCalibration, turns: FloatArray) -> Table:
     rows = [
         (
             str(place + 1),
@@ -255,7 +255,7 @@ def matrices(errors: ImuErrors, form: str) -> dict[str, np.ndarray]:
         errors, _ = imu_errors_in_frame(errors, axes)
         # What the rotation leaves of zero; a program may refuse it.
         half = np.tril if axes == "accelerometers" else np.triu
-        errors = errors._replace(accelerometer_error=half(errors.accelerometer_error))
+        errors = errors._replace(accelerometer_error_matrix=half(errors.accelerometer_error_matrix))
     made = kind.from_imu_errors(errors)
     names = [field.name for field in fields(made) if field.name != "readings"]
     arrays = {name: np.asarray(getattr(made, name), float) for name in names}
@@ -272,7 +272,7 @@ def _form_table(errors: ImuErrors, form: str) -> Table:
     return Table(f"As {form} has it", ("", "1", "2", "3"), tuple(rows), "SI units.")
 
 
-def _in_words(fit: PoseCalibration) -> Iterator[str]:
+def _in_words(fit: MultiPositionCalibration) -> Iterator[str]:
     more = []
     for kind, test in fit.consistency.items():
         if test.excess:
@@ -292,9 +292,9 @@ def _in_words(fit: PoseCalibration) -> Iterator[str]:
     )
 
 
-def _doubts(fit: PoseCalibration) -> Iterator[str]:
+def _doubts(fit: MultiPositionCalibration) -> Iterator[str]:
     errors = fit.imu_errors
-    largest = float(np.abs([errors.gyro_error, errors.accelerometer_error]).max())
+    largest = float(np.abs([errors.gyro_error_matrix, errors.accelerometer_error_matrix]).max())
     if largest > 0.2:
         yield (
             f"an entry of the matrices is {largest:.2g}. Triads are seldom so bent: look at the "
@@ -302,7 +302,7 @@ def _doubts(fit: PoseCalibration) -> Iterator[str]:
         )
 
 
-def _residual_plots(fit: PoseCalibration) -> Iterator[Plot]:
+def _residual_plots(fit: MultiPositionCalibration) -> Iterator[Plot]:
     for title, across, unit, name, rows, marker in (
         ("force at each rest", "rest", MILLI_G, "force less gravity", fit.force_residuals, "o"),
         ("turn over each move", "move", ARCMIN, "angle of gravity", fit.turn_residuals, "s"),
@@ -312,23 +312,23 @@ def _residual_plots(fit: PoseCalibration) -> Iterator[Plot]:
         yield Plot(f"What is left of the {title}", across, unit.name, (curve,))
 
 
-def _values(fit: PoseCalibration, times: FloatArray, axes: str) -> dict[str, Any]:
+def _values(fit: MultiPositionCalibration, times: FloatArray, axes: str) -> dict[str, Any]:
     return {
-        "model": "measured = (I + K) true + bias; K is gyro_error or accelerometer_error, its rows "
-        "are sensors, its columns what they feel of",
+        "model": "measured = (I + K) true + bias; K is gyro_error_matrix or "
+        "accelerometer_error_matrix, its rows are sensors, its columns what they feel of",
         "calibration": json.loads(to_json(fit, axes=axes)),
         "imu_errors": fit.imu_errors._asdict(),
-        "deviations": fit.deviations._asdict(),
+        "standard_deviations": fit.standard_deviations._asdict(),
         "body_axes": fit.body_axes,
         "names": fit.names,
         "covariance": fit.covariance,
         "gravity": fit.gravity,
         "sensitivity": fit.sensitivity,
-        "sensitivity_deviations": fit.sensitivity_deviations,
+        "sensitivity_standard_deviations": fit.sensitivity_standard_deviations,
         "consistency": {
             kind: {**test._asdict(), "holds": test.holds} for kind, test in fit.consistency.items()
         },
-        "rests": times,
+        "static_intervals": times,
         "force_residuals": fit.force_residuals,
         "turn_residuals": fit.turn_residuals,
         "forms": {form: matrices(fit.imu_errors, form) for form in FORMS},

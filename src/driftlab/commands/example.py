@@ -89,8 +89,8 @@ def example(seed: int = 1) -> Recording:
     rng = np.random.default_rng(seed)
     measured = []
     for true, error, bias, noise in (
-        (rate + rotate(back, earth), ERRORS.gyro_error, ERRORS.gyro_bias, NOISE[0]),
-        (force, ERRORS.accelerometer_error, ERRORS.accelerometer_bias, NOISE[1]),
+        (rate + rotate(back, earth), ERRORS.gyro_error_matrix, ERRORS.gyro_bias, NOISE[0]),
+        (force, ERRORS.accelerometer_error_matrix, ERRORS.accelerometer_bias, NOISE[1]),
     ):
         clean = true @ (np.eye(3) + error).T + bias
         measured.append(clean + noise * rng.standard_normal(clean.shape))
@@ -123,7 +123,7 @@ def as_log(record: Recording) -> str:
 
 def _triad(name: str, unit: Unit) -> Iterator[tuple[str, FloatArray, Unit]]:
     """Errors of a triad, in the order of a calibration's table."""
-    error = getattr(ERRORS, f"{name}_error")
+    error = getattr(ERRORS, f"{name}_error_matrix")
     yield f"{name} bias x, y, z", getattr(ERRORS, f"{name}_bias"), unit
     yield f"{name} scale x, y, z", np.diag(error), SCALES[0]
     for place, axis in enumerate(AXES):

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from driftlab.axes import checked_axes
-from driftlab.recordings.guards import RULES, doubts
+from driftlab.recordings.guards import RULES, data_problems
 from driftlab.recordings.layout import Layout
 from driftlab.recordings.readers import read_csv, read_imu_tk, read_psins
 from driftlab.recordings.recording import Recording
@@ -132,7 +132,7 @@ def allowed_doubts(recording: Recording, options: argparse.Namespace) -> tuple[s
     allow = options.allow
     if unknown := [rule for rule in allow if rule not in RULES]:
         raise ValueError(f"--allow: expected some of {', '.join(RULES)}, got {unknown[0]}.")
-    found = doubts(recording)
+    found = data_problems(recording)
     if refused := [doubt for doubt in found if doubt.rule not in allow]:
         rules = shlex.quote(",".join(dict.fromkeys([*allow, *(doubt.rule for doubt in refused)])))
         exchanged = options.format == "imu-tk" and "force" in {doubt.rule for doubt in refused}

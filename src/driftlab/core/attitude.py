@@ -38,7 +38,7 @@ def attitudes(
     first: FloatArray = NO_TURN,
     product: Callable[[FloatArray], FloatArray] = cumulative_product,
 ) -> FloatArray:
-    """Attitude (..., m, 4) after each step from `first` (..., 4) on; else as `step_vectors`."""
+    """Attitude (..., m, 4) after each step, from `first` (..., 4); see `step_rotation_vectors`."""
     steps = step_quaternions(algorithm, increments, past)
     lead = np.broadcast_shapes(first.shape[:-1], steps.shape[:-2])
     if lead != steps.shape[:-2]:
@@ -50,20 +50,20 @@ def attitudes(
 def step_quaternions(
     algorithm: ConingSteps | WindowSteps, increments: FloatArray, past: int = 0
 ) -> FloatArray:
-    """Rotation (..., m, 4) over each step; arguments as in `step_vectors`."""
-    vectors = step_vectors(algorithm, increments, past)
+    """Rotation (..., m, 4) over each step; arguments as in `step_rotation_vectors`."""
+    vectors = step_rotation_vectors(algorithm, increments, past)
     if isinstance(algorithm, ConingSteps) and algorithm.last_stage == "rotation vector":
         return from_rotation_vector(vectors)
     return rotation_quaternion(vectors)
 
 
-def step_vectors(
+def step_rotation_vectors(
     algorithm: ConingSteps | WindowSteps, increments: NDArray[Any], past: int = 0
 ) -> NDArray[Any]:
     """Vector (..., m, 3) of each step: k, or the rotation vector; of the increments (..., n, 3) the
     first `past` are history."""
     if isinstance(algorithm, WindowSteps):
-        return functional_iteration.step_vectors(increments, *algorithm)
+        return functional_iteration.step_rotation_vectors(increments, *algorithm)
     kind, m = increments.dtype.type, algorithm.samples
     # Components first, so that everything but a cross product is plain arithmetic.
     rows = np.ascontiguousarray(components_first(increments))

@@ -61,7 +61,7 @@ def _integrals(times: FloatArray, count: int) -> FloatArray:
     return np.column_stack([times + 1, (values[:, 2:] - values[:, :-2]) / odd])
 
 
-def step_vectors(
+def step_rotation_vectors(
     increments: NDArray[Any], window: int, iterations: int | None = None
 ) -> NDArray[Any]:
     """Cayley vector k (..., n, 3) of the rotation over each of n increments (..., n, 3).

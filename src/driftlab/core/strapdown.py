@@ -95,7 +95,7 @@ def steps_at_once(interval: float) -> int:
     return max(1, int(CHUNK / (2 * interval)))
 
 
-def last_of(states: Navigation) -> Navigation:
+def final_state(states: Navigation) -> Navigation:
     """Return the last state (...) of a row of states (..., n), which need not be kept for it."""
     return Navigation(
         states.latitude[..., -1].copy(),

@@ -16,8 +16,8 @@ from .characteristic_equation import (
     split_error_rate_matrix as split_error_rate_matrix,
 )
 from .closed_motion import (
-    drift_per_motion as drift_per_motion,
-    exact_drift_per_motion as exact_drift_per_motion,
+    drift_per_cycle as drift_per_cycle,
+    exact_drift_per_cycle as exact_drift_per_cycle,
 )
 from .error_kinematics import (
     error_composition_matrix as error_composition_matrix,
@@ -29,12 +29,12 @@ from .recorded_turns import recorded_turn_estimate as recorded_turn_estimate
 from .step_formulas import STEP_FORMULAS as STEP_FORMULAS
 from .systematic_drift import (
     drift_coefficient as drift_coefficient,
-    drift_per_turn as drift_per_turn,
+    drift_per_revolution as drift_per_revolution,
     principal_drifts as principal_drifts,
 )
 from .turn_calibration import (
     TurnExperiment as TurnExperiment,
-    earth_offset as earth_offset,
+    earth_rate_offset as earth_rate_offset,
     exact_turn_estimate as exact_turn_estimate,
     turn_estimate as turn_estimate,
 )
@@ -48,5 +48,5 @@ from .weighing_designs import (
     PAIR_AXES as PAIR_AXES,
     YATES_AXES as YATES_AXES,
     fit_turns as fit_turns,
-    weighing as weighing,
+    weighing_estimate as weighing_estimate,
 )

@@ -9,9 +9,9 @@ from driftlab.checks import (
     ComplexArray,
     FloatArray,
     chosen_number,
-    error_matrix,
     finite_arrays,
     nonzero_vectors,
+    plausible_error_matrix,
     truth_value,
 )
 from driftlab.core.quaternion import left_matrix, pure, right_matrix
@@ -21,7 +21,7 @@ from .systematic_drift import _along_and_across
 
 
 def characteristic_polynomial(
-    rate: ArrayLike, measured_rate: ArrayLike, *, in_the_copy: bool = False
+    rate: ArrayLike, measured_rate: ArrayLike, *, as_printed: bool = False
 ) -> FloatArray:
     r"""Coefficients of the characteristic polynomial det(sE - Omega_e); Larin (2.1), corrected.
 
@@ -29,7 +29,7 @@ def characteristic_polynomial(
     ----------
     rate, measured_rate : array_like, shape (..., 3)
         True and measured angular rate in body axes, rad/s.
-    in_the_copy : bool
+    as_printed : bool
         Use the coefficient of s^2 in the copy of the paper, 4 w^T w + 4 w^T eps + eps^T eps with
         the error eps of the measured rate. It lacks one eps^T eps.
 
@@ -48,7 +48,7 @@ def characteristic_polynomial(
     --------
     >>> characteristic_polynomial([0, 0, 1], [0, 0, 3])
     array([ 1.,  0., 20.,  0., 64.])
-    >>> characteristic_polynomial([0, 0, 1], [0, 0, 3], in_the_copy=True)
+    >>> characteristic_polynomial([0, 0, 1], [0, 0, 3], as_printed=True)
     array([ 1.,  0., 16.,  0., 64.])
     """
     rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
@@ -56,7 +56,7 @@ def characteristic_polynomial(
     rate_squared, along, error_squared = (
         np.einsum("...i,...i->...", a, b) for a, b in ((rate, rate), (rate, error), (error, error))
     )
-    factor = 1 if truth_value(in_the_copy, "in_the_copy") else 2
+    factor = 1 if truth_value(as_printed, "as_printed") else 2
     quadratic = 4 * rate_squared + 4 * along + factor * error_squared
     constant = (2 * along + error_squared) ** 2
     zero = np.zeros_like(quadratic)
@@ -96,14 +96,14 @@ def exact_roots(rate: ArrayLike, measured_rate: ArrayLike) -> ComplexArray:
     return 1j * np.stack([total, -total, difference, -difference], axis=-1)
 
 
-def asymptotic_roots(rate: ArrayLike, triad_error: ArrayLike, *, order: int = 1) -> ComplexArray:
+def asymptotic_roots(rate: ArrayLike, error_matrix: ArrayLike, *, order: int = 1) -> ComplexArray:
     r"""Roots of the characteristic equation for a small triad error; Larin (2.2).
 
     Parameters
     ----------
     rate : array_like, shape (..., 3)
         True angular rate in body axes, rad/s, not zero.
-    triad_error : array_like, shape (..., 3, 3)
+    error_matrix : array_like, shape (..., 3, 3)
         Matrix M of the errors of the triad, mu T in the paper, which measures (I + M) rate.
     order : {1, 2}
         Highest power of M that is kept. Larin's formula is the first order.
@@ -124,17 +124,17 @@ def asymptotic_roots(rate: ArrayLike, triad_error: ArrayLike, *, order: int = 1)
     --------
     Measured and true rate differ across the axis only, which shows in the second order:
 
-    >>> triad_error = np.array([[0, 0, 0.01], [0, 0, 0], [0, 0, 0]])
+    >>> error_matrix = np.array([[0, 0, 0.01], [0, 0, 0], [0, 0, 0]])
     >>> for order in (1, 2):
-    ...     print(f"{asymptotic_roots([0, 0, 1], triad_error, order=order)[2].imag:.3e}")
+    ...     print(f"{asymptotic_roots([0, 0, 1], error_matrix, order=order)[2].imag:.3e}")
     0.000e+00
     5.000e-05
     """
     order = chosen_number(order, (1, 2), "order")
-    rate, triad_error = finite_arrays(rate=(rate, 3), triad_error=(triad_error, 3, 3))
-    error_matrix(triad_error, "triad_error")
+    rate, error_matrix = finite_arrays(rate=(rate, 3), error_matrix=(error_matrix, 3, 3))
+    plausible_error_matrix(error_matrix, "error_matrix")
     direction, norm = nonzero_vectors(rate, "rate")
-    coefficient, across = _along_and_across(direction, triad_error)
+    coefficient, across = _along_and_across(direction, error_matrix)
     if order == 2:
         coefficient = coefficient + 0.5 * across
     fast, slow = norm * (2 + coefficient), norm * coefficient

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, error_matrix, finite_array, positive_number
+from driftlab.checks import FloatArray, finite_array, plausible_error_matrix, positive_number
 from driftlab.core.loops import cumulative_product
 from driftlab.core.quaternion import (
     conjugate,
@@ -24,8 +24,8 @@ from driftlab.core.vectors import left_jacobian, norms, transform
 from driftlab.triad import checked_triad
 
 
-def drift_per_motion(
-    increments: ArrayLike, triad_error: ArrayLike, *, tolerance: float = 1e-4
+def drift_per_cycle(
+    increments: ArrayLike, error_matrix: ArrayLike, *, tolerance: float = 1e-4
 ) -> FloatArray:
     r"""Drift over a closed motion, to first order in the triad error.
 
@@ -34,7 +34,7 @@ def drift_per_motion(
     increments : array_like, shape (..., n, 3)
         True angle increments of the body over one closed motion, body axes, rad. Each is a turn
         about a fixed axis, of any size: ``[[0, 0, 2 * np.pi]]`` is one whole turn.
-    triad_error : array_like, shape (..., 3, 3)
+    error_matrix : array_like, shape (..., 3, 3)
         Matrix M of the errors of the triad, without unit.
     tolerance : float
         Largest angle, rad, by which the body may miss its first attitude. A gap g makes the drift
@@ -52,7 +52,7 @@ def drift_per_motion(
 
     See Also
     --------
-    drift_per_turn : A whole turn about one axis.
+    drift_per_revolution : A whole turn about one axis.
     driftlab.attitude.solid_angle : The motion's own part.
 
     Notes
@@ -70,29 +70,29 @@ def drift_per_motion(
     A quarter turn about x and one about y, three times, and a scale error of 1 % in gyro x:
 
     >>> tumble = np.pi / 2 * np.tile([[1, 0, 0], [0, 1, 0]], (3, 1))
-    >>> drift_per_motion(tumble, np.diag([0.01, 0, 0])).round(4) + 0
+    >>> drift_per_cycle(tumble, np.diag([0.01, 0, 0])).round(4) + 0
     array([0.0157, 0.0157, 0.0157])
     """
-    turns, steps, _, triad_error = _closed(increments, triad_error, tolerance)
+    turns, steps, _, error_matrix = _closed(increments, error_matrix, tolerance)
     after = cumulative_product(steps)
     first = np.broadcast_to([0.0, 0.0, 0.0, 1.0], (*after.shape[:-2], 1, 4))
     before = np.concatenate([first, after[..., :-1, :]], axis=-2)
-    false_turns = transform(triad_error[..., np.newaxis, :, :], turns)
+    false_turns = transform(error_matrix[..., np.newaxis, :, :], turns)
     pieces = rotate(before, transform(left_jacobian(turns), false_turns))
     drift: FloatArray = pieces.sum(axis=-2)
     return drift
 
 
-def exact_drift_per_motion(
-    increments: ArrayLike, triad_error: ArrayLike, *, tolerance: float = 1e-4
+def exact_drift_per_cycle(
+    increments: ArrayLike, error_matrix: ArrayLike, *, tolerance: float = 1e-4
 ) -> FloatArray:
     """Drift over a closed motion for a triad error of any size: the motion is integrated.
 
     Parameters
     ----------
     increments : array_like, shape (..., n, 3)
-        True angle increments of the body over one closed motion, as of `drift_per_motion`, rad.
-    triad_error : array_like, shape (..., 3, 3)
+        True angle increments of the body over one closed motion, as of `drift_per_cycle`, rad.
+    error_matrix : array_like, shape (..., 3, 3)
         Matrix M of the errors of the triad, without unit, which measures I + M times the rate.
     tolerance : float
         Largest angle, rad, by which the body may miss its first attitude.
@@ -110,34 +110,36 @@ def exact_drift_per_motion(
 
     Examples
     --------
-    After a whole turn the angle is that of `drift_per_turn`:
+    After a whole turn the angle is that of `drift_per_revolution`:
 
-    >>> from driftlab.drift.systematic_drift import drift_per_turn
+    >>> from driftlab.drift.systematic_drift import drift_per_revolution
     >>> bent = np.array([[0, 0.03, 0], [0.01, 0, 0], [0, 0, 0]])
-    >>> drift = exact_drift_per_motion([[0, 0, 2 * np.pi]], bent + 0.01)
-    >>> print(f"{np.linalg.norm(drift):.6f} {drift_per_turn([0, 0, 1], bent + 0.01):.6f}")
+    >>> drift = exact_drift_per_cycle([[0, 0, 2 * np.pi]], bent + 0.01)
+    >>> print(f"{np.linalg.norm(drift):.6f} {drift_per_revolution([0, 0, 1], bent + 0.01):.6f}")
     0.063454 0.063454
     """
-    turns, _, last, triad_error = _closed(increments, triad_error, tolerance)
-    measured = transform(checked_triad(triad_error)[..., np.newaxis, :, :], turns)
+    turns, _, last, error_matrix = _closed(increments, error_matrix, tolerance)
+    measured = transform(checked_triad(error_matrix)[..., np.newaxis, :, :], turns)
     apparent = cumulative_product(from_rotation_vector(measured))[..., -1, :]
     return to_rotation_vector(multiply(apparent, conjugate(last)))
 
 
 def _closed(
-    increments: ArrayLike, triad_error: ArrayLike, tolerance: float
+    increments: ArrayLike, error_matrix: ArrayLike, tolerance: float
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Checked increments, their quaternions, the last attitude, and the triad error."""
     turns = finite_array(increments, "increments", 3)
     if turns.ndim < 2:
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {turns.shape}.")
-    triad_error = error_matrix(finite_array(triad_error, "triad_error", 3, 3), "triad_error")
-    leading = turns.shape[:-2], triad_error.shape[:-2]
+    error_matrix = plausible_error_matrix(
+        finite_array(error_matrix, "error_matrix", 3, 3), "error_matrix"
+    )
+    leading = turns.shape[:-2], error_matrix.shape[:-2]
     try:
         np.broadcast_shapes(*leading)
     except ValueError:
         raise ValueError(
-            "increments, triad_error: expected leading axes that broadcast, "
+            "increments, error_matrix: expected leading axes that broadcast, "
             f"got {leading[0]} and {leading[1]}."
         ) from None
     steps = from_rotation_vector(turns)
@@ -150,4 +152,4 @@ def _closed(
             f"increments: expected a motion that closes to {tolerance:g} rad, "
             f"got one that ends {gap:.3g} rad from where it began{likely}."
         )
-    return turns, steps, last, triad_error
+    return turns, steps, last, error_matrix

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from driftlab.attitude.coning_algorithms import (
     AnyAlgorithm,
     AttitudeAlgorithm,
-    attitude_algorithm,
+    checked_algorithm,
 )
 from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray, finite_array, finite_arrays, nonzero_vectors, whole_number
@@ -29,7 +29,8 @@ def recorded_turn_estimate(
     """Estimate n^T Sigma n from the angle increments of a gyro triad that a table has turned.
 
     On the Earth the estimate contains the offsets of the Earth's rate and of the gyro bias as well:
-    see `earth_offset`. The mean of two turns in opposite senses is free of both to first order.
+    see `earth_rate_offset`. The mean of two turns in opposite directions is free of both to first
+    order.
 
     Parameters
     ----------
@@ -68,14 +69,14 @@ def recorded_turn_estimate(
     --------
     A perfect triad on the Earth, once about a body axis:
 
-    >>> from driftlab.motion import TableTurn
-    >>> turn = TableTurn(np.radians(10.0), latitude=np.radians(37.5))
+    >>> from driftlab.motion import TurntableRotation
+    >>> turn = TurntableRotation(np.radians(10.0), latitude=np.radians(37.5))
     >>> record = turn.increments([1, 1, 0], samples=3600)
     >>> found = recorded_turn_estimate(record.angle, [1, 1, 0])
     >>> print(f"{3600 * np.degrees(found):.2f}")  # arc seconds
     52.46
     """
-    chosen = attitude_algorithm(algorithm)
+    chosen = checked_algorithm(algorithm)
     count = whole_number(turns, "turns")
     n, _ = nonzero_vectors(axis, "axis")
     rows = finite_array(increments, "increments", 3)

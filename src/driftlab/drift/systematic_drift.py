@@ -12,25 +12,25 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import (
     FloatArray,
-    error_matrix,
     finite_array,
     finite_arrays,
     linear_error_matrix,
     nonzero_vectors,
+    plausible_error_matrix,
     truth_value,
 )
 from driftlab.core.vectors import norms, symmetric_part, transform
 from driftlab.triad import checked_triad
 
 
-def drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
+def drift_coefficient(direction: ArrayLike, error_matrix: ArrayLike) -> FloatArray:
     r"""Drift rate in units of the turn rate, rho = n^T M n, to first order; Larin (2.2).
 
     Parameters
     ----------
     direction : array_like, shape (..., 3)
         Axis n of the rotation in body axes; only its direction counts, it must not be zero.
-    triad_error : array_like, shape (..., 3, 3)
+    error_matrix : array_like, shape (..., 3, 3)
         Matrix M of the errors of the triad, without unit.
 
     Returns
@@ -40,7 +40,7 @@ def drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArra
 
     See Also
     --------
-    drift_per_turn : Exact, for a whole turn.
+    drift_per_revolution : Exact, for a whole turn.
     principal_drifts : The worst axes.
 
     Notes
@@ -53,45 +53,45 @@ def drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArra
     --------
     About the bisector of x and y both non-diagonal entries count; about x alone neither does:
 
-    >>> triad_error = [[0, 0.01, 0], [0.03, 0, 0], [0, 0, 0]]
-    >>> drift_coefficient([[1, 1, 0], [1, 0, 0]], triad_error).round(9)
+    >>> error_matrix = [[0, 0.01, 0], [0.03, 0, 0], [0, 0, 0]]
+    >>> drift_coefficient([[1, 1, 0], [1, 0, 0]], error_matrix).round(9)
     array([0.02, 0.  ])
     """
-    direction, triad_error = finite_arrays(
-        direction=(direction, 3), triad_error=(triad_error, 3, 3)
+    direction, error_matrix = finite_arrays(
+        direction=(direction, 3), error_matrix=(error_matrix, 3, 3)
     )
-    linear_error_matrix(triad_error, "triad_error")
-    return _along_and_across(nonzero_vectors(direction, "direction")[0], triad_error)[0]
+    linear_error_matrix(error_matrix, "error_matrix")
+    return _along_and_across(nonzero_vectors(direction, "direction")[0], error_matrix)[0]
 
 
-def _exact_drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
+def _exact_drift_coefficient(direction: ArrayLike, error_matrix: ArrayLike) -> FloatArray:
     """Drift rate (...) in units of the turn rate, |(I + M) n| - 1, for errors of any size."""
-    direction, triad_error = finite_arrays(
-        direction=(direction, 3), triad_error=(triad_error, 3, 3)
+    direction, error_matrix = finite_arrays(
+        direction=(direction, 3), error_matrix=(error_matrix, 3, 3)
     )
-    error_matrix(triad_error, "triad_error")
+    plausible_error_matrix(error_matrix, "error_matrix")
     n, _ = nonzero_vectors(direction, "direction")
-    rho, across = _along_and_across(n, triad_error)
+    rho, across = _along_and_across(n, error_matrix)
     # |A n| - 1 = (|A n|^2 - 1)/(|A n| + 1), without the loss of digits of the subtraction.
-    return (2 * rho + rho**2 + across) / (norms(transform(checked_triad(triad_error), n)) + 1)
+    return (2 * rho + rho**2 + across) / (norms(transform(checked_triad(error_matrix), n)) + 1)
 
 
-def _along_and_across(n: FloatArray, triad_error: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _along_and_across(n: FloatArray, error_matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
     """n^T M n, and |M n|^2 - (n^T M n)^2, the square of the part of M n across n."""
-    error = transform(triad_error, n)
+    error = transform(error_matrix, n)
     along = np.einsum("...i,...i->...", n, error)
     across = error - along[..., np.newaxis] * n
     return along, np.einsum("...i,...i->...", across, across)
 
 
-def drift_per_turn(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
+def drift_per_revolution(direction: ArrayLike, error_matrix: ArrayLike) -> FloatArray:
     r"""Drift angle after one whole turn: Larin (2.3), without approximation.
 
     Parameters
     ----------
     direction : array_like, shape (..., 3)
         Axis n of the turn in body axes; only its direction counts, it must not be zero.
-    triad_error : array_like, shape (..., 3, 3)
+    error_matrix : array_like, shape (..., 3, 3)
         Matrix M of the errors of the triad, without unit, which measures A = I + M times the rate.
 
     Returns
@@ -102,7 +102,7 @@ def drift_per_turn(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     See Also
     --------
     drift_coefficient : In units of the turn rate, to first order.
-    drift_per_motion : The same for any closed motion.
+    drift_per_cycle : The same for any closed motion.
 
     Notes
     -----
@@ -117,21 +117,21 @@ def drift_per_turn(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     A non-orthogonality of one arc second between two axes, and a turn about their bisector:
 
     >>> second = np.radians(1 / 3600)
-    >>> triad_error = second * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
-    >>> print(f"{drift_per_turn([1, 1, 0], triad_error) / second:.3f}")  # arc seconds
+    >>> error_matrix = second * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
+    >>> print(f"{drift_per_revolution([1, 1, 0], error_matrix) / second:.3f}")  # arc seconds
     6.283
     """
-    return 2 * np.pi * _exact_drift_coefficient(direction, triad_error)
+    return 2 * np.pi * _exact_drift_coefficient(direction, error_matrix)
 
 
 def principal_drifts(
-    triad_error: ArrayLike, *, exact: bool = False
+    error_matrix: ArrayLike, *, exact: bool = False
 ) -> tuple[FloatArray, FloatArray]:
     """Extreme drift coefficients and the axes that give them; Larin, before (2.6).
 
     Parameters
     ----------
-    triad_error : array_like, shape (..., 3, 3)
+    error_matrix : array_like, shape (..., 3, 3)
         Matrix M of the errors of the triad, without unit.
     exact : bool
         Take the singular values of A = I + M, less one, instead of the eigenvalues of Sigma.
@@ -147,7 +147,7 @@ def principal_drifts(
     See Also
     --------
     drift_coefficient : About an axis of your own.
-    driftlab.triad.decompose : The parts of the matrix.
+    driftlab.triad.split_error_matrix : The parts of the matrix.
 
     Examples
     --------
@@ -158,12 +158,12 @@ def principal_drifts(
     [0.7071 0.7071 0.    ]
     """
     truth_value(exact, "exact")
-    triad_error = finite_array(triad_error, "triad_error", 3, 3)
-    (error_matrix if exact else linear_error_matrix)(triad_error, "triad_error")
-    symmetric = symmetric_part(triad_error)
+    error_matrix = finite_array(error_matrix, "error_matrix", 3, 3)
+    (plausible_error_matrix if exact else linear_error_matrix)(error_matrix, "error_matrix")
+    symmetric = symmetric_part(error_matrix)
     if exact:
         # A^T A - I; its eigenvalues are the squares of the singular values of A, less one.
-        symmetric = 2 * symmetric + np.swapaxes(triad_error, -1, -2) @ triad_error
+        symmetric = 2 * symmetric + np.swapaxes(error_matrix, -1, -2) @ error_matrix
     coefficients, vectors = np.linalg.eigh(symmetric)
     if exact:
         coefficients = coefficients / (np.sqrt(np.maximum(1 + coefficients, 0)) + 1)

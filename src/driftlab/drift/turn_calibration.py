@@ -5,7 +5,7 @@ The body then has its first attitude again, so the computed rotation is all erro
 the tangent of half its angle, taken along n, is k pi n^T Sigma n.
 
 All this is so in inertial space. On the Earth a body that a table has brought back has turned with
-the Earth meanwhile, and a gyro without any error says so: see `earth_offset`.
+the Earth meanwhile, and a gyro without any error says so: see `earth_rate_offset`.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from driftlab.checks import (
     SMALLEST_DIVISOR,
     FloatArray,
     checked_generator,
-    error_matrix,
     finite_array,
     finite_arrays,
     keep,
     nonnegative_number,
     nonzero_vectors,
     one_of,
+    plausible_error_matrix,
     whole_number,
 )
 from driftlab.core.loops import cumulative_product
@@ -87,14 +87,14 @@ def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) 
     return half_angle / (turns * np.pi)
 
 
-def exact_turn_estimate(axis: ArrayLike, triad_error: ArrayLike, turns: int = 1) -> FloatArray:
+def exact_turn_estimate(axis: ArrayLike, error_matrix: ArrayLike, turns: int = 1) -> FloatArray:
     r"""Result of `turn_estimate` with exact integration and without noise, in closed form.
 
     Parameters
     ----------
     axis : array_like, shape (..., 3)
         Body axis n of the turns; only its direction counts.
-    triad_error : array_like, shape (..., 3, 3)
+    error_matrix : array_like, shape (..., 3, 3)
         Matrix M of the errors of the triad, without unit.
     turns : int
         Number k of whole turns.
@@ -112,21 +112,21 @@ def exact_turn_estimate(axis: ArrayLike, triad_error: ArrayLike, turns: int = 1)
 
     Examples
     --------
-    >>> triad_error = 0.01 * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
-    >>> print(f"{exact_turn_estimate([1, 1, 0], triad_error):.6f}")  # n is an eigenvector
+    >>> error_matrix = 0.01 * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
+    >>> print(f"{exact_turn_estimate([1, 1, 0], error_matrix):.6f}")  # n is an eigenvector
     0.010000
     """
     turns = whole_number(turns, "turns")
-    axis, triad_error = finite_arrays(axis=(axis, 3), triad_error=(triad_error, 3, 3))
-    error_matrix(triad_error, "triad_error")
+    axis, error_matrix = finite_arrays(axis=(axis, 3), error_matrix=(error_matrix, 3, 3))
+    plausible_error_matrix(error_matrix, "error_matrix")
     n, _ = nonzero_vectors(axis, "axis")
-    n_hat, _ = nonzero_vectors(transform(checked_triad(triad_error), n), "axis")
-    half_drift = turns * np.pi * _exact_drift_coefficient(n, triad_error)
+    n_hat, _ = nonzero_vectors(transform(checked_triad(error_matrix), n), "axis")
+    half_drift = turns * np.pi * _exact_drift_coefficient(n, error_matrix)
     after = from_rotation_vector(2 * half_drift[..., np.newaxis] * n_hat)
     return turn_estimate(after, n, turns)
 
 
-def earth_offset(
+def earth_rate_offset(
     latitude: ArrayLike, table_rate: ArrayLike, table_axis: ArrayLike = (0.0, 0.0, 1.0)
 ) -> FloatArray:
     r"""What the turning Earth adds to a turn estimate; (3.3) carried over to a real table.
@@ -155,7 +155,7 @@ def earth_offset(
     --------
     A table at latitude 37.5 degrees with its axis upright, at 10 degrees a second:
 
-    >>> offset = earth_offset(np.radians(37.5), np.radians([10.0, -10.0]))
+    >>> offset = earth_rate_offset(np.radians(37.5), np.radians([10.0, -10.0]))
     >>> (np.degrees(offset) * 3600).round(2)  # arc seconds
     array([ 52.46, -52.46])
     """
@@ -189,7 +189,7 @@ class TurnExperiment:
 
     See Also
     --------
-    driftlab.motion.TableTurn : The turn of a real table.
+    driftlab.motion.TurntableRotation : The turn of a real table.
     turn_estimate : The estimate from one error.
 
     Examples
@@ -197,8 +197,8 @@ class TurnExperiment:
     Larin's three turns find the three sigmas:
 
     >>> from driftlab.drift.weighing_designs import PAIR_AXES
-    >>> triad_error = 1e-4 * np.array([[0, 1, 2], [1, 0, 3], [2, 3, 0]])
-    >>> TurnExperiment(turns=1, steps_per_turn=100).estimate(PAIR_AXES, triad_error).round(6)
+    >>> error_matrix = 1e-4 * np.array([[0, 1, 2], [1, 0, 3], [2, 3, 0]])
+    >>> TurnExperiment(turns=1, steps_per_turn=100).estimate(PAIR_AXES, error_matrix).round(6)
     array([0.0001, 0.0002, 0.0003])
     """
 
@@ -219,14 +219,14 @@ class TurnExperiment:
     def error_quaternion(
         self,
         axis: ArrayLike,
-        triad_error: ArrayLike,
+        error_matrix: ArrayLike,
         rng: np.random.Generator | int | None = None,
     ) -> FloatArray:
         """Attitude error (..., 4) after the turns, integrated step by step; Larin (1.2)."""
-        axis, triad_error = finite_arrays(axis=(axis, 3), triad_error=(triad_error, 3, 3))
-        error_matrix(triad_error, "triad_error")
+        axis, error_matrix = finite_arrays(axis=(axis, 3), error_matrix=(error_matrix, 3, 3))
+        plausible_error_matrix(error_matrix, "error_matrix")
         n, _ = nonzero_vectors(axis, "axis")
-        increment = 2 * np.pi / self.steps_per_turn * transform(checked_triad(triad_error), n)
+        increment = 2 * np.pi / self.steps_per_turn * transform(checked_triad(error_matrix), n)
         count = self.turns * self.steps_per_turn
         increments = np.repeat(increment[..., np.newaxis, :], count, axis=-2)
         source = None if rng is None else checked_generator(rng)
@@ -249,8 +249,8 @@ class TurnExperiment:
     def estimate(
         self,
         axis: ArrayLike,
-        triad_error: ArrayLike,
+        error_matrix: ArrayLike,
         rng: np.random.Generator | int | None = None,
     ) -> FloatArray:
         """Estimate n^T Sigma n (...) by the whole experiment: integrate, then `turn_estimate`."""
-        return turn_estimate(self.error_quaternion(axis, triad_error, rng), axis, self.turns)
+        return turn_estimate(self.error_quaternion(axis, error_matrix, rng), axis, self.turns)

@@ -54,7 +54,7 @@ class HandTurn:
         From the one to the other, s.
     estimate : float
         Larin's n^T Sigma n with the offset of Earth and bias in it, without unit.
-    rest_rate : float
+    static_rate : float
         Mean rate along the axis in the two rests, rad/s: Earth and bias, if the axis has turned
         about itself.
     """
@@ -65,11 +65,11 @@ class HandTurn:
     end: int
     seconds: float
     estimate: float
-    rest_rate: float
+    static_rate: float
 
 
 def hand_turns(
-    increments: ArrayLike, interval: float, rests: ArrayLike, axes: ArrayLike = ()
+    increments: ArrayLike, interval: float, static_intervals: ArrayLike, axes: ArrayLike = ()
 ) -> list[HandTurn]:
     """Find the whole turns about given axes among the moves between rests.
 
@@ -79,7 +79,7 @@ def hand_turns(
         Integrals of the rates that the gyros measure, rad.
     interval : float
         Time of a row, s.
-    rests : array_like of int, shape (m, 2)
+    static_intervals : array_like of int, shape (m, 2)
         Of each rest the first row, and the first that is left out; in order, each with four rows
         or more. Steady turns among them are passed over.
     axes : array_like, shape (j, 3)
@@ -110,7 +110,7 @@ def hand_turns(
     """
     rows, seconds, directions = _checked(increments, interval, axes)
     found = []
-    for begin, end, angle, still in _moves(rows, rests):
+    for begin, end, angle, still in _moves(rows, static_intervals):
         axis, turns = _whole_turns(angle, directions)
         if not turns:
             continue
@@ -126,7 +126,7 @@ def hand_turns(
                 end=end,
                 seconds=(end - begin) * seconds,
                 estimate=float(recorded_turn_estimate(turned, n, abs(turns))),
-                rest_rate=rest_angle / seconds,
+                static_rate=rest_angle / seconds,
             )
         )
     return found
@@ -161,7 +161,7 @@ class NearTurn(NamedTuple):
 
 
 def near_turns(
-    increments: ArrayLike, interval: float, rests: ArrayLike, axes: ArrayLike = ()
+    increments: ArrayLike, interval: float, static_intervals: ArrayLike, axes: ArrayLike = ()
 ) -> list[NearTurn]:
     """Find the moves that `hand_turns` leaves out though they went far about an axis.
 
@@ -171,7 +171,7 @@ def near_turns(
         rad; this and the others as in `hand_turns`.
     interval : float
         s.
-    rests : array_like of int, shape (m, 2)
+    static_intervals : array_like of int, shape (m, 2)
         Rows.
     axes : array_like, shape (j, 3)
         Body axes.
@@ -199,7 +199,7 @@ def near_turns(
     """
     rows, seconds, directions = _checked(increments, interval, axes)
     found = []
-    for begin, end, angle, still in _moves(rows, rests):
+    for begin, end, angle, still in _moves(rows, static_intervals):
         if _whole_turns(angle, directions)[1]:
             continue
         way = np.cumsum(rows[begin:end] - still, axis=0) @ directions.T
@@ -235,10 +235,10 @@ class _Move(NamedTuple):
     still: FloatArray  # (3,), mean increment in the two rests, rad
 
 
-def _moves(rows: FloatArray, rests: ArrayLike) -> Iterator[_Move]:
+def _moves(rows: FloatArray, static_intervals: ArrayLike) -> Iterator[_Move]:
     """Yield the moves of a record in order; rests of a steady turn do not part them."""
     within(rows, "increments", 2 * np.pi, "rad", "is it in degrees?")
-    stops = _checked_rests(rests, len(rows))
+    stops = _checked_rests(static_intervals, len(rows))
     if len(stops):  # of none there is no usual rate
         stops = _without_steady_turns(rows, stops)
     for first, second in pairwise(stops):
@@ -272,13 +272,18 @@ def _without_steady_turns(rows: FloatArray, stops: np.ndarray) -> np.ndarray:
     return kept
 
 
-def _checked_rests(rests: ArrayLike, count: int) -> np.ndarray:
-    stops = whole_pairs(rests, "rests")
+def _checked_rests(static_intervals: ArrayLike, count: int) -> np.ndarray:
+    stops = whole_pairs(static_intervals, "static_intervals")
     edges = stops.ravel()
     if len(edges) and (edges[0] < 0 or edges[-1] > count or (np.diff(edges) < 0).any()):
-        raise ValueError(f"rests: expected rows from 0 to {count} in order, got {shown(rests)}.")
+        raise ValueError(
+            f"static_intervals: expected rows from 0 to {count} in order, "
+            f"got {shown(static_intervals)}."
+        )
     if (np.diff(stops) < 4).any():
-        raise ValueError(f"rests: expected four rows or more in each, got {shown(rests)}.")
+        raise ValueError(
+            f"static_intervals: expected four rows or more in each, got {shown(static_intervals)}."
+        )
     return stops
 
 
@@ -294,9 +299,9 @@ class HandTurnFit:
         Of each of these n^T Sigma n: of a sensor's own axis its scale-factor error, without unit.
     offset : ndarray, shape (j,)
         Earth and bias along each axis, rad/s, as the two senses tell them.
-    sigma_deviation, offset_deviation : ndarray, shape (j,)
+    sigma_standard_deviation, offset_standard_deviation : ndarray, shape (j,)
         Standard deviations, from the scatter of the turns; nan if there is no turn too many.
-    stop_deviation : float
+    stop_standard_deviation : float
         Standard deviation of the stops, rad, if all of the scatter is due to them.
     degrees_of_freedom : int
         Turns less unknowns, two to an axis.
@@ -305,16 +310,16 @@ class HandTurnFit:
     axes: tuple[int, ...]
     sigma: FloatArray
     offset: FloatArray
-    sigma_deviation: FloatArray
-    offset_deviation: FloatArray
-    stop_deviation: float
+    sigma_standard_deviation: FloatArray
+    offset_standard_deviation: FloatArray
+    stop_standard_deviation: float
     degrees_of_freedom: int
 
     def half_widths(self, confidence: float = 0.95) -> tuple[FloatArray, FloatArray]:
         """Half widths (j,) of confidence intervals: of sigma, and of offset in rad/s."""
         inside = probability(confidence, "confidence")
         factor = stdtrit(self.degrees_of_freedom, (1 + inside) / 2)
-        return factor * self.sigma_deviation, factor * self.offset_deviation
+        return factor * self.sigma_standard_deviation, factor * self.offset_standard_deviation
 
 
 def fit_hand_turns(turns: Sequence[HandTurn]) -> HandTurnFit:
@@ -385,14 +390,14 @@ def fit_hand_turns(turns: Sequence[HandTurn]) -> HandTurnFit:
     found = np.linalg.lstsq(weighed, right, rcond=None)[0]
     spare = len(turns) - 2 * len(axes)
     scatter = float(np.linalg.norm(right - weighed @ found)) / np.sqrt(spare) if spare else np.nan
-    deviations = scatter * np.sqrt(np.diag(np.linalg.inv(weighed.T @ weighed)))
+    standard_deviations = scatter * np.sqrt(np.diag(np.linalg.inv(weighed.T @ weighed)))
     count = len(axes)
     return HandTurnFit(
         axes=axes,
         sigma=found[:count],
         offset=found[count:],
-        sigma_deviation=deviations[:count],
-        offset_deviation=deviations[count:],
-        stop_deviation=float(scatter),
+        sigma_standard_deviation=standard_deviations[:count],
+        offset_standard_deviation=standard_deviations[count:],
+        stop_standard_deviation=float(scatter),
         degrees_of_freedom=spare,
     )

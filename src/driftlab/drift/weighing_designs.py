@@ -29,7 +29,7 @@ YATES_AXES: FloatArray = np.vstack([PAIR_AXES, np.ones(3) / np.sqrt(3)])
 YATES_AXES.setflags(write=False)
 
 
-def weighing(estimates: ArrayLike) -> FloatArray:
+def weighing_estimate(estimates: ArrayLike) -> FloatArray:
     """Non-orthogonality from four turns by Yates's weighing design; Larin, last formulas.
 
     Parameters
@@ -52,7 +52,7 @@ def weighing(estimates: ArrayLike) -> FloatArray:
     --------
     The sigmas are 1, 2 and 3, and an offset of 10 is common to all four numbers:
 
-    >>> weighing([11, 12, 13, 16])
+    >>> weighing_estimate([11, 12, 13, 16])
     array([1., 2., 3.])
     """
     signs = np.array([[1, -1, -1, 1], [-1, 1, -1, 1], [-1, -1, 1, 1]])
@@ -66,7 +66,7 @@ class TurnFit(NamedTuple):
     ----------
     sigma : ndarray, shape (..., 3)
         sigma1, sigma2, sigma3, without unit.
-    scale : ndarray, shape (..., s)
+    scale_factor : ndarray, shape (..., s)
         Scale-factor errors, without unit: none, one common to all gyros, or one for each gyro.
     gyro_bias : ndarray, shape (..., g)
         None, or that of each gyro, rad/s.
@@ -79,7 +79,7 @@ class TurnFit(NamedTuple):
     """
 
     sigma: FloatArray
-    scale: FloatArray
+    scale_factor: FloatArray
     gyro_bias: FloatArray
     earth_rate: FloatArray
     covariance: FloatArray
@@ -89,7 +89,7 @@ class TurnFit(NamedTuple):
 def fit_turns(
     estimates: ArrayLike,
     axes: ArrayLike,
-    scale: str = "none",
+    scale_factor: str = "none",
     *,
     table_rates: ArrayLike | None = None,
     earth_rate: ArrayLike | str = 0.0,
@@ -104,7 +104,7 @@ def fit_turns(
     axes : array_like, shape (m, 3)
         Axes n in the body, each as it points along the table's axis in space: up, on a level
         table. Only their directions count.
-    scale : {"none", "common", "each"}
+    scale_factor : {"none", "common", "each"}
         Other unknowns: none, one scale-factor error common to the three gyros (an offset common to
         all estimates: a table that overshoots looks the same), or one for each gyro.
     table_rates : array_like, shape (m,), optional
@@ -151,8 +151,8 @@ def fit_turns(
     >>> from driftlab.drift.turn_calibration import TurnExperiment
     >>> triad = 1e-4 * np.array([[4, 1, 2], [1, 4, 3], [2, 3, 4]])
     >>> estimates = TurnExperiment().estimate(YATES_AXES, triad)
-    >>> fit = fit_turns(estimates, YATES_AXES, scale="common")
-    >>> print(fit.sigma.round(6), fit.scale.round(6))
+    >>> fit = fit_turns(estimates, YATES_AXES, scale_factor="common")
+    >>> print(fit.sigma.round(6), fit.scale_factor.round(6))
     [0.0001 0.0002 0.0003] [0.0004]
     """
     n, _ = nonzero_vectors(axes, "axes")
@@ -160,7 +160,7 @@ def fit_turns(
         raise ValueError(f"axes: expected shape (m, 3), got shape {n.shape}.")
     values = finite_array(estimates, "estimates", len(n))
     squares = {"none": n[:, :0], "common": np.ones((len(n), 1)), "each": n**2}
-    one_of(scale, squares, "scale")
+    one_of(scale_factor, squares, "scale_factor")
     truth_value(gyro_bias, "gyro_bias")
     times = _time_of_a_radian(table_rates, len(n))
     if isinstance(earth_rate, str):
@@ -178,7 +178,7 @@ def fit_turns(
     x, y, z = n.T
     sigmas = np.column_stack([2 * x * y, 2 * x * z, 2 * y * z])
     bias = times[:, np.newaxis] * (n if gyro_bias else n[:, :0])
-    parts = [sigmas, squares[scale], bias, earth]
+    parts = [sigmas, squares[scale_factor], bias, earth]
     design = np.hstack(parts)
     inverse = _solve(design)
     ends = np.cumsum([part.shape[1] for part in parts])[:-1]

@@ -19,8 +19,8 @@ from .alignment import (
     alignment_errors as alignment_errors,
 )
 from .alignment_deviations import (
-    alignment_deviation as alignment_deviation,
-    two_position_deviation as two_position_deviation,
+    alignment_standard_deviation as alignment_standard_deviation,
+    two_position_standard_deviation as two_position_standard_deviation,
 )
 from .heading_error import (
     coriolis_correction as coriolis_correction,
@@ -29,7 +29,7 @@ from .heading_error import (
 )
 from .inertial_alignment import (
     align_in_inertial_frame as align_in_inertial_frame,
-    inertial_alignment_deviation as inertial_alignment_deviation,
+    inertial_alignment_standard_deviation as inertial_alignment_standard_deviation,
 )
 from .levelling import (
     LevelFrame as LevelFrame,
@@ -49,15 +49,15 @@ from .noise_fit import (
     fit_gyro_noise as fit_gyro_noise,
 )
 from .simulation import (
-    simulate_compass as simulate_compass,
+    simulate_gyrocompass as simulate_gyrocompass,
 )
 from .trials import (
-    most_range_over_deviation as most_range_over_deviation,
-    range_over_deviation as range_over_deviation,
-    table_heading_error as table_heading_error,
+    largest_range_over_standard_deviation as largest_range_over_standard_deviation,
+    range_over_standard_deviation as range_over_standard_deviation,
+    turntable_heading_error as turntable_heading_error,
 )
 from .two_position_alignment import (
-    align_in_positions as align_in_positions,
+    align_multi_position as align_multi_position,
 )
 from .type_test import (
     COARSE as COARSE,

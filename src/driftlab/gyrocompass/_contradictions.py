@@ -25,10 +25,12 @@ NOTHING_KNOWN = np.pi / np.sqrt(3)
 class RateContradiction(NamedTuple):
     """How far rates contradict what is known of them; NaN where nothing is known. Each (...)."""
 
-    rate_excess: FloatArray  # whole rate less the Earth's, rad/s
-    latitude_excess: FloatArray  # latitude found less the known one, rad
+    rate_discrepancy: FloatArray  # whole rate less the Earth's, rad/s
+    latitude_discrepancy: FloatArray  # latitude found less the known one, rad
     spurious_rate: FloatArray  # root mean square over the directions that are known, rad/s
-    heading_doubt: FloatArray  # by how much such a rate can turn the heading, rad, at most pi/2
+    heading_uncertainty: (
+        FloatArray  # by how much such a rate can turn the heading, rad, at most pi/2
+    )
 
 
 def rate_contradiction(

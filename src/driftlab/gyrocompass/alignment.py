@@ -71,11 +71,11 @@ class Alignment(NamedTuple):
     level_rate : ndarray, shape (...)
         Horizontal component of the angular rate, in the unit of that rate. Without errors it is
         U cos(latitude), where U is the Earth's rate.
-    rate_excess : ndarray, shape (...)
+    rate_discrepancy : ndarray, shape (...)
         Whole rate found less that of the Earth, rad/s; NaN if the rate is a direction only.
-    latitude_excess : ndarray, shape (...)
+    latitude_discrepancy : ndarray, shape (...)
         Latitude found less that which is known, rad; NaN if none is.
-    heading_doubt : ndarray, shape (...)
+    heading_uncertainty : ndarray, shape (...)
         By how much a rate of the size of this contradiction can turn the heading, rad; NaN if
         nothing is known. It is a deviation that stands on two numbers: of rates isotropic in space
         5 in 100 turn the heading by more than 4.3 times it, of leans about level lines 20 in 100.
@@ -86,9 +86,9 @@ class Alignment(NamedTuple):
     roll: FloatArray
     latitude: FloatArray
     level_rate: FloatArray
-    rate_excess: FloatArray = NOT_KNOWN
-    latitude_excess: FloatArray = NOT_KNOWN
-    heading_doubt: FloatArray = NOT_KNOWN
+    rate_discrepancy: FloatArray = NOT_KNOWN
+    latitude_discrepancy: FloatArray = NOT_KNOWN
+    heading_uncertainty: FloatArray = NOT_KNOWN
 
     @property
     def attitude(self) -> FloatArray:
@@ -160,8 +160,8 @@ def align(
     See Also
     --------
     alignment_errors : What biases do to the angles.
-    alignment_deviation : How long to wait.
-    align_in_positions : Takes the biases out by turns.
+    alignment_standard_deviation : How long to wait.
+    align_multi_position : Takes the biases out by turns.
     align_in_inertial_frame : For a body that sways.
 
     Notes
@@ -182,8 +182,9 @@ def align(
 
     The body must not turn meanwhile. A body that leans about East by a small angle more at the end
     than at the start turns the heading by this angle over T U cos(latitude), where T is the time of
-    the means: an arc minute in five minutes by about a degree. `heading_doubt` shows a part of
-    that, and little of a lean about East alone. `align_in_inertial_frame` aligns a body that sways.
+    the means: an arc minute in five minutes by about a degree. `heading_uncertainty` shows a part
+    of that, and little of a lean about East alone. `align_in_inertial_frame` aligns a body that
+    sways.
 
     White noise of the gyros that makes a deviation d of the heading makes this warning, if the
     latitude is known, with the chance exp(-(heading_tolerance/d)^2).
@@ -206,7 +207,7 @@ def align(
 
     >>> told = {"latitude": np.radians(46.0), "heading_tolerance": np.inf}
     >>> lost = align([0.0, 1.0, 1.0], [0.0, 9.8, 0.0], rate_unit=None, **told)
-    >>> float(np.degrees(lost.heading_doubt).round(2))
+    >>> float(np.degrees(lost.heading_uncertainty).round(2))
     1.44
     """
     place = {} if latitude is None else {"latitude": (latitude,)}
@@ -239,9 +240,9 @@ def align(
         "roll": roll,
         "latitude": np.arctan2(upward, across),
         "level_rate": size * across,
-        "rate_excess": seen.rate_excess,
-        "latitude_excess": seen.latitude_excess,
-        "heading_doubt": seen.heading_doubt,
+        "rate_discrepancy": seen.rate_discrepancy,
+        "latitude_discrepancy": seen.latitude_discrepancy,
+        "heading_uncertainty": seen.heading_uncertainty,
     }
     alike = zip(found, np.broadcast_arrays(*found.values()), strict=True)
     return Alignment(**{name: np.array(each)[()] for name, each in alike})
@@ -261,14 +262,14 @@ def _warn_of_contradiction(
     seen: RateContradiction, tolerance: float, latitude: ArrayLike | None
 ) -> None:
     """Warn where a contradiction can turn a heading by more than `tolerance`, rad."""
-    wrong = np.atleast_1d(seen.heading_doubt > tolerance)
+    wrong = np.atleast_1d(seen.heading_uncertainty > tolerance)
     if not wrong.any():
         return
-    worst = int(np.nanargmax(seen.heading_doubt))
+    worst = int(np.nanargmax(seen.heading_uncertainty))
     place = np.nan if latitude is None else np.broadcast_to(latitude, wrong.shape).flat[worst]
     excess, turned, doubt = (
         float(np.atleast_1d(each).flat[worst])
-        for each in (seen.rate_excess, seen.latitude_excess, seen.heading_doubt)
+        for each in (seen.rate_discrepancy, seen.latitude_discrepancy, seen.heading_uncertainty)
     )
     parts = []
     for size, words in (
@@ -339,7 +340,7 @@ def alignment_errors(
     See Also
     --------
     align : The alignment itself.
-    alignment_deviation : Its deviation from noise and biases.
+    alignment_standard_deviation : Its deviation from noise and biases.
     alignment_attitude_error : The same as a rotation, at any pitch.
 
     Notes

@@ -13,7 +13,7 @@ from ._contradictions import NOTHING_KNOWN
 _LEAST_TURN = np.radians(5.0)
 
 
-def alignment_deviation(
+def alignment_standard_deviation(
     latitude: ArrayLike,
     duration: ArrayLike,
     angle_random_walk: float,
@@ -47,7 +47,7 @@ def alignment_deviation(
     See Also
     --------
     align : The alignment itself.
-    two_position_deviation : With half a turn between two rests.
+    two_position_standard_deviation : With half a turn between two rests.
     driftlab.noise_terms.fit_noise_terms : The random walk of a record.
 
     Notes
@@ -61,7 +61,7 @@ def alignment_deviation(
     A gyro of 0.003 degrees per root hour at 60 degrees, in degrees of heading:
 
     >>> walk = np.radians(0.003) / 60
-    >>> np.degrees(alignment_deviation(np.radians(60.0), [75.0, 300.0], walk)).round(4)
+    >>> np.degrees(alignment_standard_deviation(np.radians(60.0), [75.0, 300.0], walk)).round(4)
     array([0.1583, 0.0792])
     """
     place, time = _checked(latitude, duration)
@@ -75,7 +75,7 @@ def alignment_deviation(
     return np.minimum(np.hypot(by_gyro, offset * np.tan(place) / gravity(place)), NOTHING_KNOWN)
 
 
-def two_position_deviation(
+def two_position_standard_deviation(
     latitude: ArrayLike,
     duration: ArrayLike,
     angle_random_walk: float,
@@ -85,7 +85,7 @@ def two_position_deviation(
     gyro_bias_change: float = 0.0,
     accelerometer_bias_change: float = 0.0,
 ) -> FloatArray:
-    """Standard deviation of the heading of `align_in_positions`, with two positions.
+    """Standard deviation of the heading of `align_multi_position`, with two positions.
 
     Parameters
     ----------
@@ -111,7 +111,8 @@ def two_position_deviation(
     Raises
     ------
     ValueError
-        As in `alignment_deviation`, for a turn by 5 degrees or less, and by more than a whole one.
+        As in `alignment_standard_deviation`, for a turn by 5 degrees or less, and by more than a
+        whole one.
 
     Notes
     -----
@@ -125,11 +126,12 @@ def two_position_deviation(
 
     Examples
     --------
-    The gyro of `alignment_deviation`, half a turn and a right angle, in degrees of heading:
+    The gyro of `alignment_standard_deviation`, half a turn and a right angle, in degrees of
+    heading:
 
     >>> walk = np.radians(0.003) / 60
     >>> turns = np.radians([180.0, 90.0])
-    >>> np.degrees(two_position_deviation(np.radians(60.0), 300.0, walk, turns)).round(4)
+    >>> np.degrees(two_position_standard_deviation(np.radians(60.0), 300.0, walk, turns)).round(4)
     array([0.0792, 0.112 ])
     """
     place, time, angle = _checked(latitude, duration, turn_angle=(turn_angle,))

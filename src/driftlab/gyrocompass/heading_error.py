@@ -48,7 +48,7 @@ def speed_error(
     See Also
     --------
     operating_heading_error : All terms of a compass under way.
-    simulate_compass : The compass on a voyage.
+    simulate_gyrocompass : The compass on a voyage.
     coriolis_correction : What a log takes out.
 
     Notes

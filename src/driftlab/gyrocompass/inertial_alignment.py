@@ -37,7 +37,7 @@ _ALGORITHM = CONING_ALGORITHMS["two-step-4"].steps
 _FEWEST = 2 * STEPS_A_WINDOW * (FEWEST_WINDOWS + 1)
 _DENSITIES: FloatArray = np.array([100800.0, 1120.0, 280 / 11, 700 / 429])
 """Integrals from 0 to 1 of the squares of the third, second and first derivative of the bell
-p = 140 x^3 (1 - x)^3 of `inertial_alignment_deviation`, and of its own."""
+p = 140 x^3 (1 - x)^3 of `inertial_alignment_standard_deviation`, and of its own."""
 
 
 class InertialAlignment(NamedTuple):
@@ -103,7 +103,7 @@ def align_in_inertial_frame(increments: Increments, latitude: ArrayLike) -> Iner
     See Also
     --------
     align : For a body that lies still.
-    inertial_alignment_deviation : How well it can do.
+    inertial_alignment_standard_deviation : How well it can do.
 
     Notes
     -----
@@ -198,7 +198,7 @@ def align_in_inertial_frame(increments: Increments, latitude: ArrayLike) -> Iner
     )
 
 
-def inertial_alignment_deviation(
+def inertial_alignment_standard_deviation(
     latitude: ArrayLike,
     duration: ArrayLike,
     angle_random_walk: float,
@@ -246,7 +246,8 @@ def inertial_alignment_deviation(
     halves the error.
 
     >>> walk = np.radians(0.003) / 60
-    >>> np.degrees(inertial_alignment_deviation(np.radians(60.0), [75.0, 300.0], walk)).round(4)
+    >>> latitude, times = np.radians(60.0), [75.0, 300.0]
+    >>> np.degrees(inertial_alignment_standard_deviation(latitude, times, walk)).round(4)
     array([0.2023, 0.1011])
     """
     place, time = finite_arrays(latitude=(latitude,), duration=(duration,))

@@ -38,7 +38,7 @@ from driftlab.increments import Increments, checked_increments
 
 from .alignment import Alignment
 from .levelling_loop import Gains
-from .two_position_alignment import PositionsAlignment
+from .two_position_alignment import MultiPositionAlignment
 
 _MOST_TURN = 0.1  # rad in one interval, for which the series of a turn is exact to 1e-11
 
@@ -234,7 +234,7 @@ at 20 m/s turns its meridian once as fast as the Earth at 85 degrees of latitude
 
 def _refuse_alignment(start: object) -> None:
     """Refuse the natural slip of an alignment in the place of a horizon."""
-    if isinstance(start, Alignment | PositionsAlignment):
+    if isinstance(start, Alignment | MultiPositionAlignment):
         raise ValueError(
             "start: expected a LevelFrame(attitude, rate), got an alignment; say "
             "initial_level_frame(alignment)."

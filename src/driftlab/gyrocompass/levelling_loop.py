@@ -131,7 +131,7 @@ class LevelLoop(NamedTuple):
     gains : Gains
     gravity : float
         g, m/s^2.
-    log : bool
+    speed_log : bool
         Whether a log tells the velocity.
     radius : float
         R of the Earth, m.
@@ -139,7 +139,7 @@ class LevelLoop(NamedTuple):
 
     gains: Gains
     gravity: float
-    log: bool
+    speed_log: bool
     radius: float
 
     def poles(self, vertical_rate: float = 0.0) -> ComplexArray:
@@ -157,7 +157,7 @@ class LevelLoop(NamedTuple):
         """Response to the ship's acceleration to the North, m/s^2, at frequencies (n,) in rad/s."""
         (k1, k2), g, radius = self.gains, self.gravity, self.radius
         untuned = k2 - 1 / radius
-        if self.log:
+        if self.speed_log:
             return self._response(frequency, [-untuned], [-untuned, -untuned * k1 * g])
         return self._response(frequency, [-k1, -untuned], [-untuned, k1 * g / radius])
 
@@ -171,10 +171,10 @@ class LevelLoop(NamedTuple):
         k1, k2 = self.gains
         return self._response(frequency, [-k1, -k2], [-k2, 0.0])
 
-    def log_error(self, frequency: ArrayLike) -> LoopResponse:
+    def speed_log_error(self, frequency: ArrayLike) -> LoopResponse:
         """Response to an error of the log's North velocity, m/s, at frequencies (n,) in rad/s."""
         (k1, k2), g, radius = self.gains, self.gravity, self.radius
-        if not self.log:
+        if not self.speed_log:
             return self._response(frequency, [0.0], [0.0])
         told = [1 / radius, k1 * g * (1 / radius - k2), k2 * g / radius]
         return self._response(frequency, [k1, 0.0, 0.0], told)
@@ -188,7 +188,7 @@ class LevelLoop(NamedTuple):
 
 
 def level_loop(
-    gains: Gains, gravity: float, *, log: bool = False, radius: float = EARTH_RADIUS
+    gains: Gains, gravity: float, *, speed_log: bool = False, radius: float = EARTH_RADIUS
 ) -> LevelLoop:
     """Levelling loop of a compass, as a linear filter.
 
@@ -198,7 +198,7 @@ def level_loop(
         Gains of the horizon.
     gravity : float
         g, m/s^2.
-    log : bool
+    speed_log : bool
         Whether a log tells the velocity, so that k1 acts on what it does not explain.
     radius : float
         R of the Earth, m.
@@ -227,4 +227,4 @@ def level_loop(
         raise ValueError(f"gains.proportional: expected at least 0, got {shown(proportional)}.")
     checked = Gains(proportional, positive_number(gains.integral, "gains.integral"))
     pull, size = one_pull(gravity), positive_number(radius, "radius")
-    return LevelLoop(checked, pull, truth_value(log, "log"), size)
+    return LevelLoop(checked, pull, truth_value(speed_log, "speed_log"), size)

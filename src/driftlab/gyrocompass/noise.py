@@ -26,7 +26,7 @@ from driftlab.checks import (
 
 _SHORT = 1e-3
 """Averaging times, in correlation times, below which a series is better than the closed form."""
-_SIZES = ("white", "slow", "quantisation")
+_SIZES = ("white", "gauss_markov", "quantisation")
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class GyroNoise:
     ----------
     white : float
         Standard deviation of the white part of a sample, rad/s.
-    slow : float
+    gauss_markov : float
         Standard deviation of the slow part, a Gauss-Markov process, rad/s.
     correlation_time : float
         Of the slow part, s.
@@ -52,7 +52,7 @@ class GyroNoise:
     The mean of an hour of samples is left with the slow part alone, here in degrees per hour:
 
     >>> noise = GyroNoise()
-    >>> [round(noise.deviation_of_mean(count) / degree * hour, 3) for count in (1, 36000)]
+    >>> [round(noise.standard_deviation_of_mean(count) / degree * hour, 3) for count in (1, 36000)]
     [0.5, 0.009]
     >>> noise.samples(5, np.random.default_rng(1), 2).shape  # of two gyros
     (2, 5)
@@ -63,7 +63,7 @@ class GyroNoise:
     """
 
     white: float = 0.5 * degree / hour
-    slow: float = 0.01 * degree / hour
+    gauss_markov: float = 0.01 * degree / hour
     correlation_time: float = 1 * hour
     interval: float = 0.1
     quantisation: float = 0.0
@@ -96,21 +96,23 @@ class GyroNoise:
         draws[..., 1:] *= np.sqrt(1 - kept**2)
         from scipy.signal import lfilter  # takes a third of a second to be loaded
 
-        slow = lfilter([1.0], [1.0, -kept], draws, axis=-1)
-        noise: FloatArray = self.slow * slow + self.white * source.standard_normal(size)
+        gauss_markov = lfilter([1.0], [1.0, -kept], draws, axis=-1)
+        noise: FloatArray = self.gauss_markov * gauss_markov + self.white * source.standard_normal(
+            size
+        )
         if self.quantisation:
             rounding = source.standard_normal((*size[:-1], size[-1] + 1))
             noise += self.quantisation / self.interval * np.diff(rounding)
         return noise
 
-    def deviation_of_mean(self, count: int) -> float:
+    def standard_deviation_of_mean(self, count: int) -> float:
         """Standard deviation of the mean of `count` neighbouring samples, in closed form, rad/s."""
         number = whole_number(count, "count")
         lags = np.arange(1, number)
         # Sum of the correlations of all pairs of samples, pair by pair of equal distance.
         decay = np.exp(-self.interval / self.correlation_time * lags)
         pairs = number + 2 * np.sum((number - lags) * decay)
-        parts = [self.white / np.sqrt(number), self.slow * np.sqrt(pairs) / number]
+        parts = [self.white / np.sqrt(number), self.gauss_markov * np.sqrt(pairs) / number]
         # Of all the angles in between nothing is left but the first and the last.
         parts.append(np.sqrt(2) * self.quantisation / (number * self.interval))
         return float(np.linalg.norm(parts))
@@ -133,10 +135,10 @@ class GyroNoise:
         x = times / self.correlation_time
         # Most of the terms cancel in short times, so there the series stands for them.
         long = np.maximum(x, _SHORT)
-        slow = np.where(
+        gauss_markov = np.where(
             x > _SHORT,
             2 / long * (1 - (3 - 4 * np.exp(-long) + np.exp(-2 * long)) / (2 * long)),
             2 * x / 3 - x**2 / 2 + 7 * x**3 / 30,
         )
         fast = self.white**2 * self.interval / times + 3 * (self.quantisation / times) ** 2
-        return np.sqrt(fast + self.slow**2 * slow)
+        return np.sqrt(fast + self.gauss_markov**2 * gauss_markov)

@@ -107,5 +107,5 @@ def fit_gyro_noise(allan: AllanDeviation, *, quantised: bool = True) -> GyroNois
         if best is None or result.cost < best.cost:
             best = result
     assert best is not None
-    time, white, slow, *rounding = map(float, np.exp(best.x))
-    return GyroNoise(white, slow, time, h, *rounding)
+    time, white, gauss_markov, *rounding = map(float, np.exp(best.x))
+    return GyroNoise(white, gauss_markov, time, h, *rounding)

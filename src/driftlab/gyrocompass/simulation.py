@@ -76,7 +76,7 @@ class HeadingErrors(NamedTuple):
     compass_error: FloatArray
 
 
-def simulate_compass(
+def simulate_gyrocompass(
     trajectory: Trajectory,
     gyro_bias_body: ArrayLike,
     accelerometer_bias_body: ArrayLike = (0.0, 0.0, 0.0),
@@ -84,8 +84,8 @@ def simulate_compass(
     tuning_factor: float = 1.0,
     damping: float = 0.0,
     tilt: float = 0.0,
-    log: bool = False,
-    log_error: ArrayLike = (0.0, 0.0),
+    speed_log: bool = False,
+    speed_log_error: ArrayLike = (0.0, 0.0),
 ) -> HeadingErrors:
     """Align a compass at the start of a voyage, operate it under way, and return its errors.
 
@@ -104,12 +104,12 @@ def simulate_compass(
         Damping ratio of the horizon.
     tilt : float
         Error of the aligned horizon about East, rad, at most 0.1.
-    log : bool
+    speed_log : bool
         Whether a log tells the velocity, and the latitude is known. The computation then subtracts
         `coriolis_correction` from the specific force and rotates in azimuth with the meridian. It
         damps by the specific force less that which the log explains (velocity damping), so that
         accelerations do not disturb the horizon.
-    log_error : array_like, shape (n + 1, 2) or (2,)
+    speed_log_error : array_like, shape (n + 1, 2) or (2,)
         Of the log's velocity, North and East, at each of the trajectory's times or at all, m/s.
 
     Returns
@@ -137,7 +137,7 @@ def simulate_compass(
 
     >>> from driftlab.motion.vehicle import vehicle_trajectory
     >>> still = vehicle_trajectory(np.radians(60.0), np.zeros((101, 2)), 0.0, interval=1.0)
-    >>> errors = simulate_compass(still, np.radians([0.0, 0.0, 0.01]) / 3600)
+    >>> errors = simulate_gyrocompass(still, np.radians([0.0, 0.0, 0.01]) / 3600)
     >>> found = errors.heading_error, errors.formula.heading
     >>> [round(60 * float(np.degrees(error[-1])), 2) for error in found]
     [4.57, 4.57]
@@ -169,7 +169,7 @@ def simulate_compass(
     lean = finite_number(tilt, "tilt")
     if abs(lean) > _MOST_TILT:
         raise ValueError(f"tilt: expected rad, at most {_MOST_TILT:g}, got {lean:g}.")
-    truth_value(log, "log")
+    truth_value(speed_log, "speed_log")
     latitude = float(trajectory.latitude[0])
     pull = float(gravity(latitude))
     rate, up = static_imu(trajectory.attitude[0], latitude)
@@ -184,8 +184,8 @@ def simulate_compass(
     azimuth_rate = np.broadcast_to(
         (EARTH_RATE * np.sin(aligned.latitude))[..., np.newaxis], biases.shape[:-1]
     )
-    told = trajectory.velocity + _checked_log_error(log_error, log, trajectory)
-    if log:
+    told = trajectory.velocity + _checked_log_error(speed_log_error, speed_log, trajectory)
+    if speed_log:
         turning = navigation_frame_rate(trajectory.latitude, told)
         azimuth_rate = 0.5 * (turning[1:, 1] + turning[:-1, 1])
         # The force that turns a tuned horizon as the log tells; in the main the acceleration.
@@ -206,7 +206,7 @@ def simulate_compass(
         gains,
         azimuth_rate,
     )
-    if log:
+    if speed_log:
         # The instrument integrates all of W, and its damping sees W - a: the same sum.
         integral = gains.integral * interval * np.cumsum(hidden, axis=0)
         found = found._replace(
@@ -222,14 +222,17 @@ def _turning(force: FloatArray) -> FloatArray:
     return np.stack([force[:, 1], -force[:, 0]], axis=-1)
 
 
-def _checked_log_error(log_error: ArrayLike, log: bool, trajectory: Trajectory) -> FloatArray:
-    error = finite_array(log_error, "log_error", 2)
+def _checked_log_error(
+    speed_log_error: ArrayLike, speed_log: bool, trajectory: Trajectory
+) -> FloatArray:
+    error = finite_array(speed_log_error, "speed_log_error", 2)
     if error.ndim > 1 and error.shape != trajectory.velocity.shape:
         raise ValueError(
-            f"log_error: expected shape {trajectory.velocity.shape} or (2,), got {error.shape}."
+            f"speed_log_error: expected shape {trajectory.velocity.shape} or (2,), "
+            f"got {error.shape}."
         )
-    if error.any() and not log:
-        raise ValueError("log_error: expected zeros without a log, got an error of one.")
+    if error.any() and not speed_log:
+        raise ValueError("speed_log_error: expected zeros without a log, got an error of one.")
     return error
 
 

@@ -17,7 +17,7 @@ from driftlab.motion.vehicle import static_imu
 from .alignment import align
 
 
-def table_heading_error(
+def turntable_heading_error(
     dial: ArrayLike,
     gyro_bias_body: ArrayLike,
     accelerometer_bias_body: ArrayLike,
@@ -62,7 +62,7 @@ def table_heading_error(
     The bias of a gyro turns with the table. Heading error in arc minutes:
 
     >>> dial, bias = np.radians([0, 60, 120, 180]), np.radians([0, 0, 0.01]) / 3600
-    >>> error = table_heading_error(dial, bias, np.zeros(3), np.radians(60.0))
+    >>> error = turntable_heading_error(dial, bias, np.zeros(3), np.radians(60.0))
     >>> (60 * np.degrees(error)).round(2)
     array([ 4.57,  2.28, -2.28, -4.57])
     """
@@ -84,7 +84,7 @@ def table_heading_error(
     return wrap_angle(found.heading - shown)
 
 
-def range_over_deviation(values: ArrayLike) -> FloatArray:
+def range_over_standard_deviation(values: ArrayLike) -> FloatArray:
     """Range of a sample over its standard deviation.
 
     Parameters
@@ -104,7 +104,7 @@ def range_over_deviation(values: ArrayLike) -> FloatArray:
 
     Examples
     --------
-    >>> float(range_over_deviation([1.0, 2.0, 3.0]))
+    >>> float(range_over_standard_deviation([1.0, 2.0, 3.0]))
     2.0
     """
     sample = finite_array(values, "values")
@@ -119,8 +119,8 @@ def range_over_deviation(values: ArrayLike) -> FloatArray:
     return ratio
 
 
-def most_range_over_deviation(count: int) -> float:
-    """Largest possible `range_over_deviation` of a sample: sqrt(2 (n - 1)).
+def largest_range_over_standard_deviation(count: int) -> float:
+    """Largest possible `range_over_standard_deviation` of a sample: sqrt(2 (n - 1)).
 
     A sample with one value at either end and all others midway between them attains it.
 
@@ -136,7 +136,9 @@ def most_range_over_deviation(count: int) -> float:
 
     Examples
     --------
-    >>> most_range_over_deviation(3), float(range_over_deviation([1.0, 2.0, 3.0]))
-    (2.0, 2.0)
+    >>> float(range_over_standard_deviation([1.0, 2.0, 3.0]))
+    2.0
+    >>> largest_range_over_standard_deviation(3)
+    2.0
     """
     return float(np.sqrt(2 * (whole_number(count, "count", least=2) - 1)))

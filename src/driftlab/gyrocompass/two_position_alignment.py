@@ -33,7 +33,7 @@ _LEAST = float(np.sin(np.radians(2.5)) ** 2)
 """Of sin(turn/2)^2; along directions that see less of a turn a bias is taken for unknown."""
 
 
-class PositionsAlignment(NamedTuple):
+class MultiPositionAlignment(NamedTuple):
     """Attitude in the axes of the first position, and the biases; leading axes (...).
 
     Attributes
@@ -49,7 +49,7 @@ class PositionsAlignment(NamedTuple):
         What the readings leave: root of the sum of the squares over the degrees of freedom, in the
         units of rate and force. Two positions have one, along the axis of their turn, so this does
         not tell whether its angle was as told; more positions do.
-    heading_doubt : ndarray, shape (...)
+    heading_uncertainty : ndarray, shape (...)
         By how much what contradicts the Earth's rate can turn the heading, rad: the level rate, and
         with turns about two axes the whole of it. NaN if nothing is known.
     """
@@ -63,7 +63,7 @@ class PositionsAlignment(NamedTuple):
     accelerometer_bias: FloatArray
     rate_residual: FloatArray
     force_residual: FloatArray
-    heading_doubt: FloatArray
+    heading_uncertainty: FloatArray
 
     @property
     def attitude(self) -> FloatArray:
@@ -71,7 +71,7 @@ class PositionsAlignment(NamedTuple):
         return from_euler_angles(self.heading, self.pitch, self.roll)
 
 
-def align_in_positions(
+def align_multi_position(
     angular_rate: ArrayLike,
     specific_force: ArrayLike,
     turn: ArrayLike,
@@ -79,7 +79,7 @@ def align_in_positions(
     latitude: ArrayLike | None = None,
     rate_unit: float | None = 1.0,
     heading_tolerance: float = float(np.radians(0.5)),
-) -> PositionsAlignment:
+) -> MultiPositionAlignment:
     """Attitude and biases of a unit at rest in two positions or more.
 
     Parameters
@@ -99,7 +99,7 @@ def align_in_positions(
 
     Returns
     -------
-    PositionsAlignment
+    MultiPositionAlignment
         By least squares with equal weights.
 
     Raises
@@ -119,7 +119,7 @@ def align_in_positions(
     See Also
     --------
     align : One position.
-    two_position_deviation : How well it can do.
+    two_position_standard_deviation : How well it can do.
 
     Notes
     -----
@@ -152,15 +152,15 @@ def align_in_positions(
     >>> turn = from_rotation_vector(np.radians([[0.0, 0.0, 0.0], [0.0, 120.0, 0.0]]))
     >>> attitude = multiply(from_euler_angles(0.5, 0.02, -0.01), turn)
     >>> rate, force = static_imu(attitude, np.radians(60.0))
-    >>> found = align_in_positions(rate + [1e-5, 0.0, -2e-5], force + [0.02, 0.0, 0.01], turn)
+    >>> found = align_multi_position(rate + [1e-5, 0.0, -2e-5], force + [0.02, 0.0, 0.01], turn)
     >>> [round(float(angle), 6) for angle in (found.heading, found.pitch, found.roll)]
     [0.5, 0.02, -0.01]
 
     Told that it was half a turn, this is what it can do to the heading, in degrees:
 
     >>> half, place = [[0, 0, 0, 1], [0, 1, 0, 0]], {"latitude": np.radians(60.0)}
-    >>> told = align_in_positions(rate, force, half, heading_tolerance=np.inf, **place)
-    >>> round(float(np.degrees(told.heading_doubt)), 1)
+    >>> told = align_multi_position(rate, force, half, heading_tolerance=np.inf, **place)
+    >>> round(float(np.degrees(told.heading_uncertainty)), 1)
     7.7
     """
     tolerance = checked_tolerance(heading_tolerance)
@@ -200,11 +200,11 @@ def align_in_positions(
     # A bias along the axis of the turn stays in the rate, and would be warned of.
     found = align(earth, up, latitude=latitude, rate_unit=rate_unit, heading_tolerance=np.inf)
     unit = 1.0 if rate_unit is None else positive_number(rate_unit, "rate_unit")
-    doubt = found.heading_doubt
+    doubt = found.heading_uncertainty
     if unseen.any():
         doubt = rate_contradiction(
             unit * found.level_rate, None, latitude, size_known=rate_unit is not None
-        ).heading_doubt
+        ).heading_uncertainty
     # Of what is seen worst, as the mean of the noise of one reading.
     least = np.sqrt(count * np.where(unseen, 1.0, sizes).min(axis=-1))
     scatter = np.arcsin(np.minimum(rate_residual / (found.level_rate * least), 1.0))
@@ -218,7 +218,7 @@ def align_in_positions(
     shape = np.shape(found.heading)
     biases = (np.broadcast_to(each, (*shape, 3)).copy() for each in (gyro_bias, accelerometer_bias))
     others = np.broadcast_arrays(rate_residual, force_residual, doubt, found.heading)[:3]
-    return PositionsAlignment(*found[:5], *biases, *(np.array(each)[()] for each in others))
+    return MultiPositionAlignment(*found[:5], *biases, *(np.array(each)[()] for each in others))
 
 
 def _warn_of_turns(

@@ -39,7 +39,7 @@ from driftlab.motion.trajectory import Trajectory
 from driftlab.motion.vehicle import vehicle_trajectory
 
 from .noise import GyroNoise
-from .simulation import simulate_compass
+from .simulation import simulate_gyrocompass
 
 
 class Limit(NamedTuple):
@@ -132,7 +132,7 @@ class Steps(NamedTuple):
 FINE = Steps()
 COARSE = Steps(quay=200.0, speed=18.0, turn=3.0, sea=1.0)
 """Several times faster; a horizon damped by a log then turns with up to 0.3 degrees too much."""
-_NO_NOISE = GyroNoise(white=0.0, slow=0.0)
+_NO_NOISE = GyroNoise(white=0.0, gauss_markov=0.0)
 
 
 @dataclass(frozen=True)
@@ -149,17 +149,17 @@ class Gyrocompass:
         In body axes, m/s^2.
     damping : float
         Damping ratio of the horizon at work, at least 0.
-    log : bool
+    speed_log : bool
         Whether a log tells the velocity. Without one the speed error is taken out by the true way,
         as by a table, and the damping feels the accelerations.
-    log_scale : float
+    speed_log_scale_factor : float
         Relative error of what the log tells.
     alignment_time : float
         s.
 
     Examples
     --------
-    >>> Gyrocompass(damping=0.5, log=True).alignment_time
+    >>> Gyrocompass(damping=0.5, speed_log=True).alignment_time
     60.0
     """
 
@@ -167,8 +167,8 @@ class Gyrocompass:
     gyro_noise: GyroNoise = _NO_NOISE
     accelerometer_bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
     damping: float = 0.0
-    log: bool = False
-    log_scale: float = 0.0
+    speed_log: bool = False
+    speed_log_scale_factor: float = 0.0
     alignment_time: float = 60.0
 
     def __post_init__(self) -> None:
@@ -181,12 +181,16 @@ class Gyrocompass:
         keep(
             self,
             damping=nonnegative_number(self.damping, "damping"),
-            log=truth_value(self.log, "log"),
+            speed_log=truth_value(self.speed_log, "speed_log"),
             alignment_time=positive_number(self.alignment_time, "alignment_time"),
-            log_scale=finite_number(self.log_scale, "log_scale"),
+            speed_log_scale_factor=finite_number(
+                self.speed_log_scale_factor, "speed_log_scale_factor"
+            ),
         )
-        if self.log_scale and not self.log:
-            raise ValueError("log_scale: expected zero without a log, got an error of one.")
+        if self.speed_log_scale_factor and not self.speed_log:
+            raise ValueError(
+                "speed_log_scale_factor: expected zero without a log, got an error of one."
+            )
 
 
 _MOST_LATITUDE = np.radians(85.0)
@@ -241,7 +245,7 @@ def marine_type_test(
 
     See Also
     --------
-    simulate_compass : A voyage of your own.
+    simulate_gyrocompass : A voyage of your own.
 
     Notes
     -----
@@ -300,7 +304,7 @@ def _checked_steps(steps: Steps) -> Steps:
 
 def _turn_step(compass: Gyrocompass, steps: Steps) -> float:
     """Interval in which a turn is simulated: damping feels what a log does not explain in it."""
-    return min(steps.turn, 1.0) if compass.log and compass.damping else steps.turn
+    return min(steps.turn, 1.0) if compass.speed_log and compass.damping else steps.turn
 
 
 def _at_its_worst(compass: Gyrocompass, latitude: float) -> Gyrocompass:
@@ -332,26 +336,30 @@ def _heading_errors(
     interval, angle, _ = way.increments
     noise = compass.gyro_noise
     before = max(round(compass.alignment_time / interval), 1)
-    slow = replace(noise, white=0.0, quantisation=0.0, interval=interval)
-    drift = slow.samples(before - 1 + len(angle), rng, *starts, 3)
+    gauss_markov = replace(noise, white=0.0, quantisation=0.0, interval=interval)
+    drift = gauss_markov.samples(before - 1 + len(angle), rng, *starts, 3)
     at_start = drift[..., :before].mean(axis=-1)
-    fast = replace(noise, slow=0.0).sampled_every(interval).samples(len(angle), rng, *starts, 3)
-    averaged = max(round(compass.alignment_time / noise.interval), 1)
-    fast[..., 0] = replace(noise, slow=0.0).deviation_of_mean(averaged) * rng.standard_normal(
-        at_start.shape
+    fast = (
+        replace(noise, gauss_markov=0.0)
+        .sampled_every(interval)
+        .samples(len(angle), rng, *starts, 3)
     )
+    averaged = max(round(compass.alignment_time / noise.interval), 1)
+    fast[..., 0] = replace(noise, gauss_markov=0.0).standard_deviation_of_mean(
+        averaged
+    ) * rng.standard_normal(at_start.shape)
     bias = drift[..., before - 1 :] + fast
     bias[..., 0] = at_start + fast[..., 0]
-    told = way.velocity * (-1.0 if blind else compass.log_scale)
-    run = simulate_compass(
+    told = way.velocity * (-1.0 if blind else compass.speed_log_scale_factor)
+    run = simulate_gyrocompass(
         way,
         np.array(compass.gyro_bias) + np.moveaxis(bias, -2, -1),
         compass.accelerometer_bias,
         damping=compass.damping,
-        log=compass.log,
-        log_error=told if compass.log else (0.0, 0.0),
+        speed_log=compass.speed_log,
+        speed_log_error=told if compass.speed_log else (0.0, 0.0),
     )
-    unseen = run.speed_error if blind and not compass.log else 0.0
+    unseen = run.speed_error if blind and not compass.speed_log else 0.0
     return run.heading_error + unseen
 
 

@@ -1,9 +1,9 @@
 from . import (
     profiles as profiles,
     scheme as scheme,
-    table_turn as table_turn,
     trajectory as trajectory,
     turntable as turntable,
+    turntable_rotation as turntable_rotation,
     vehicle as vehicle,
 )
 from .profiles import (
@@ -17,13 +17,13 @@ from .scheme import (
     SCHEMES as SCHEMES,
     Scheme as Scheme,
 )
-from .table_turn import (
-    TableTurn as TableTurn,
-)
 from .turntable import (
     segments as segments,
     static_trajectory as static_trajectory,
-    table_trajectory as table_trajectory,
+    turntable_trajectory as turntable_trajectory,
+)
+from .turntable_rotation import (
+    TurntableRotation as TurntableRotation,
 )
 from .vehicle import (
     smooth_step as smooth_step,

@@ -50,13 +50,13 @@ class Scheme:
 
     See Also
     --------
-    driftlab.motion.table_trajectory : The true motion.
+    driftlab.motion.turntable_trajectory : The true motion.
     driftlab.calibration.design_scheme : A search for good ones.
 
     Examples
     --------
     >>> scheme = Scheme("+90Z -90Z", start=("North", "West", "Up"), dwell=60.0)
-    >>> scheme.positions, scheme.lasting(378.0).dwell
+    >>> scheme.positions, scheme.with_duration(378.0).dwell
     (3, 120.0)
     """
 
@@ -104,7 +104,7 @@ class Scheme:
         """Number of pauses, one more than rotations."""
         return len(self.turns) + 1
 
-    def lasting(self, duration: float) -> Scheme:
+    def with_duration(self, duration: float) -> Scheme:
         """Return the same rotations with equal pauses such that all of it takes `duration`, s."""
         turning = sum(abs(angle) for _, angle in self.turns) / self.rate
         if not finite_number(duration, "duration") > turning:

@@ -88,7 +88,7 @@ def segments(scheme: Scheme | str, interval: float) -> list[Segment]:
     return row
 
 
-def table_trajectory(
+def turntable_trajectory(
     scheme: Scheme | str,
     latitude: float,
     interval: float,
@@ -121,7 +121,7 @@ def table_trajectory(
     A quarter turn about Up lasts 9 s, and with the two pauses the Earth turns for 11 s:
 
     >>> latitude = np.radians(45.0)
-    >>> turned = table_trajectory(Scheme("+90Z", dwell=1.0), latitude, interval=0.5)
+    >>> turned = turntable_trajectory(Scheme("+90Z", dwell=1.0), latitude, interval=0.5)
     >>> print(f"{turned.increments.angle[:, 2].sum() - np.pi / 2:.6f}")
     0.000567
     >>> print(f"{11 * earth_rate(latitude)[2]:.6f}")

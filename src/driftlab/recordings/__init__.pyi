@@ -6,11 +6,11 @@ from . import (
     publishers as publishers,
     readers as readers,
     recording as recording,
-    rest_detection as rest_detection,
+    static_detection as static_detection,
 )
 from .catalogue import PUBLISHED as PUBLISHED
 from .dataframes import from_dataframe as from_dataframe
-from .guards import RULES as RULES, doubts as doubts
+from .guards import RULES as RULES, data_problems as data_problems
 from .layout import Layout as Layout
 from .publishers import (
     RecordingUnavailable as RecordingUnavailable,
@@ -20,4 +20,4 @@ from .publishers import (
 )
 from .readers import read_csv as read_csv, read_imu_tk as read_imu_tk, read_psins as read_psins
 from .recording import Recording as Recording
-from .rest_detection import rests as rests
+from .static_detection import static_intervals as static_intervals

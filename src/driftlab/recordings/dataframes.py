@@ -56,7 +56,7 @@ def from_dataframe(frame: Any, layout: Layout | None = None, **fields: Any) -> R
 
     See Also
     --------
-    rests : Where the unit lay still.
+    static_intervals : Where the unit lay still.
 
     Examples
     --------

@@ -92,7 +92,7 @@ _CROSS = np.cross(np.eye(3)[:, None], np.eye(3)[None])
 
 
 @dataclass(frozen=True)
-class Doubt:
+class DataProblem:
     """One reason not to believe a log as it was read.
 
     Attributes
@@ -114,7 +114,7 @@ class Doubt:
         return self.sentence
 
 
-def doubts(recording: Recording) -> tuple[Doubt, ...]:
+def data_problems(recording: Recording) -> tuple[DataProblem, ...]:
     """Return what speaks against a recording's units, axes and channels.
 
     Parameters
@@ -133,7 +133,7 @@ def doubts(recording: Recording) -> tuple[Doubt, ...]:
     A unit that lies still, whose specific force in g was taken for m/s^2:
 
     >>> still = Recording(np.zeros((200, 3)), np.tile([0.0, 0.0, 1.0], (200, 1)), 0.01, "rates")
-    >>> for doubt in doubts(still):
+    >>> for doubt in data_problems(still):
     ...     print(doubt.rule, "-", doubt)  # doctest: +NORMALIZE_WHITESPACE
     force - accelerometer: expected a median size near gravity, 9.81 m/s^2, got 1,
     a factor of 0.102: g taken for m/s^2?
@@ -147,7 +147,7 @@ def doubts(recording: Recording) -> tuple[Doubt, ...]:
 def _without_doubts(recording: Recording, allow: Sequence[str] = ()) -> Recording:
     """Return a recording if nothing speaks against it but the rules in `allow`; refuse others."""
     allow = some_of(allow, RULES, "allow")
-    found = [doubt for doubt in doubts(recording) if doubt.rule not in allow]
+    found = [doubt for doubt in data_problems(recording) if doubt.rule not in allow]
     if found:
         rules = ", ".join(f'"{rule}"' for rule in dict.fromkeys(doubt.rule for doubt in found))
         listed = rules if "," in rules else f"{rules},"
@@ -158,7 +158,7 @@ def _without_doubts(recording: Recording, allow: Sequence[str] = ()) -> Recordin
     return recording
 
 
-def _size_doubts(recording: Recording) -> Iterator[Doubt]:
+def _size_doubts(recording: Recording) -> Iterator[DataProblem]:
     """Doubts about the size of the numbers alone."""
     rates = recording.kind == "rates"
     step = recording.interval
@@ -168,7 +168,7 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
         size = _median_size(recording.accelerometer)
         if not 1 / _FORCE_FACTOR < size / expected < _FORCE_FACTOR:
             unit = "m/s^2" if rates else "m/s, gravity times the interval"
-            yield Doubt(
+            yield DataProblem(
                 "force",
                 f"accelerometer: expected a median size near {'gravity, ' * rates}"
                 f"{expected:.3g} {unit}, got {size:.3g}, a factor of {size / expected:.3g}"
@@ -179,7 +179,7 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
     largest = max(float(recording.gyro.max()), -float(recording.gyro.min()))
     rate, angle = (largest, largest * step) if rates else (largest / step, largest)
     if rate > _MOST_RATE:
-        yield Doubt(
+        yield DataProblem(
             "rate",
             f"gyro: expected rates up to {_MOST_RATE:.3g} rad/s, the range of most gyros, got "
             f"{rate:.3g}: degrees taken for radians{'' if rates else ', or rates for angles'}?",
@@ -187,7 +187,7 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
             _MOST_RATE,
         )
     if angle > np.pi:
-        yield Doubt(
+        yield DataProblem(
             "half turn",
             f"gyro: expected less than half a turn over one interval of {step:.3g} s, got "
             f"{angle:.3g} rad: is it the interval, or the unit?",
@@ -199,7 +199,7 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
         usual = float(np.median(steps))
         row, longest = int(np.argmax(steps)), round(float(steps.max()) / usual, 9)
         if longest > _LONGEST_GAP:
-            yield Doubt(
+            yield DataProblem(
                 "gap",
                 f"times: expected steps of about {usual:.4g} s, got one of "
                 f"{steps[row]:.4g} s after row {row + 1}, at "
@@ -214,7 +214,7 @@ def _median_size(vectors: FloatArray) -> float:
     return float(np.median(np.sqrt(x * x + y * y + z * z)))
 
 
-def _turning_doubts(recording: Recording) -> Iterator[Doubt]:
+def _turning_doubts(recording: Recording) -> Iterator[DataProblem]:
     """Doubts that come from gravity's turns in the body."""
     found = _gravity_turns(recording)
     if found is None or found.explained < max(found.needed, _MAJORITY):
@@ -222,7 +222,7 @@ def _turning_doubts(recording: Recording) -> Iterator[Doubt]:
     evidence = f"over {found.turns} turns of gravity in the body, {found.explained:.0%} explained"
     too_large = 1 / found.factor
     if not 1 / _TURNING_FACTOR < too_large < _TURNING_FACTOR:
-        yield Doubt(
+        yield DataProblem(
             "turning",
             f"gyro: expected gravity to turn as far as the gyros say, got {too_large:.3g} times as "
             f"much from them ({evidence}){gyro_slips(too_large, recording)}",
@@ -238,7 +238,7 @@ def _turning_doubts(recording: Recording) -> Iterator[Doubt]:
                 for row in found.order
             )
             slip = f"as if x, y, z were the gyros' {', '.join(columns)}: signs, or order of columns"
-        yield Doubt(
+        yield DataProblem(
             "axes",
             f"gyro: expected gravity to turn about the axes that the gyros say, got it turning "
             f"{slip} ({evidence}).",
@@ -247,7 +247,7 @@ def _turning_doubts(recording: Recording) -> Iterator[Doubt]:
         )
 
 
-def _channel_doubts(recording: Recording) -> Iterator[Doubt]:
+def _channel_doubts(recording: Recording) -> Iterator[DataProblem]:
     """Doubts about channels, whatever their units."""
     triads = [recording.gyro]
     if recording.accelerometer is not None:
@@ -256,7 +256,7 @@ def _channel_doubts(recording: Recording) -> Iterator[Doubt]:
     columns = (column for triad in triads for column in triad.T)
     for name, column, lifeless in zip(_CHANNELS, columns, dead, strict=False):
         if lifeless:
-            yield Doubt(
+            yield DataProblem(
                 "dead",
                 f"{name}: expected values that change as in other channels, got {column[0]:.6g} "
                 f"in all {len(column)} rows.",
@@ -268,7 +268,7 @@ def _channel_doubts(recording: Recording) -> Iterator[Doubt]:
             continue
         rows, ratio = _clipped_rows(channel)
         if ratio > _CLIPPED_RATIO:
-            yield Doubt(
+            yield DataProblem(
                 "clipped",
                 f"{name}: expected few values at the extreme, got {rows} rows there, {ratio:.3g} "
                 "for each at the level beside it: the end of the range?",
@@ -278,7 +278,7 @@ def _channel_doubts(recording: Recording) -> Iterator[Doubt]:
             continue  # a channel at its end keeps one value for long
         begin, rows, allowed = _longest_run(channel)
         if rows > allowed:
-            yield Doubt(
+            yield DataProblem(
                 "stuck",
                 f"{name}: expected no value more than {allowed:.0f} times in a row, got "
                 f"{channel[begin]:.6g} in {rows} rows from row {begin + 1} on.",
@@ -286,7 +286,7 @@ def _channel_doubts(recording: Recording) -> Iterator[Doubt]:
                 allowed,
             )
     for one, other in _twin_channels(*triads):
-        yield Doubt(
+        yield DataProblem(
             "twins",
             f"{_CHANNELS[one]} and {_CHANNELS[other]}: expected different channels, got the same: "
             "one column read twice?",
@@ -349,8 +349,8 @@ def _twin_channels(*triads: FloatArray) -> list[tuple[int, int]]:
         products += block.T @ block
     alive = np.flatnonzero([np.ptp(column) > 0 for column in columns])
     products = products[np.ix_(alive, alive)]
-    deviations = np.sqrt(np.diag(products))
-    alike = np.abs(products / np.outer(deviations, deviations)) > 1 - 1e-9
+    standard_deviations = np.sqrt(np.diag(products))
+    alike = np.abs(products / np.outer(standard_deviations, standard_deviations)) > 1 - 1e-9
     return [(int(alive[i]), int(alive[j])) for i, j in np.argwhere(np.triu(alike, 1))]
 
 

@@ -72,13 +72,13 @@ def read_csv(path: str | Path, layout: Layout | None = None, **fields: Any) -> R
     ValueError
         With the number of the line: if a cell is empty, NaN or no number, a line is too short or
         too long, or time stamps stand still or leave a gap. If a column or unit is unknown, rates
-        stand beside increments, or `doubts` has some.
+        stand beside increments, or `data_problems` has some.
     OSError
         If the file cannot be read.
 
     See Also
     --------
-    rests : Where the unit lay still.
+    static_intervals : Where the unit lay still.
     Recording.increments : What filters and algorithms take.
 
     Examples
@@ -184,7 +184,7 @@ def read_psins(path: str | Path, *, allow: Sequence[str] = (), **known: Any) -> 
     Raises
     ------
     ValueError
-        If the file is no such log, a line is no line of six numbers, or `doubts` has some.
+        If the file is no such log, a line is no line of six numbers, or `data_problems` has some.
     OSError
         If it cannot be read.
 

@@ -13,7 +13,7 @@ from driftlab.book.ch03_systematic_drift.experiments import (
 )
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.book.scenarios import LARIN_TRIAD
-from driftlab.drift.closed_motion import exact_drift_per_motion
+from driftlab.drift.closed_motion import exact_drift_per_cycle
 from driftlab.drift.systematic_drift import drift_coefficient
 from published import published
 from support import directions, matrices
@@ -21,9 +21,9 @@ from support import directions, matrices
 
 @given(matrices(2e-3), directions())
 def test_drift_history_stays_within_the_fixed_axes(
-    triad_error: np.ndarray, direction: np.ndarray
+    error_matrix: np.ndarray, direction: np.ndarray
 ) -> None:
-    data = drift_history(triad_error, direction)
+    data = drift_history(error_matrix, direction)
     table = data.columns()
     assert np.abs(table["along_deg"]).max() < 12
     assert table["across_arcmin"].max() < 45
@@ -47,12 +47,12 @@ def test_drift_by_symmetry_slopes_and_cosine(figure: PublishedFigure) -> None:
 
 
 @given(matrices(1e-2))
-def test_drift_map_lies_between_its_principal_values(triad_error: np.ndarray) -> None:
-    data = drift_map(triad_error)
+def test_drift_map_lies_between_its_principal_values(error_matrix: np.ndarray) -> None:
+    data = drift_map(error_matrix)
     principal = data.principal_coefficient[::2]
     assert data.drift_coefficient.min() >= principal[0] - 1e-16
     assert data.drift_coefficient.max() <= principal[2] + 1e-16
-    at_axes = drift_coefficient(data.axes, triad_error)
+    at_axes = drift_coefficient(data.axes, error_matrix)
     np.testing.assert_allclose(at_axes, principal, rtol=0, atol=1e-16)
 
 
@@ -63,7 +63,7 @@ def test_closed_motions_leave_the_same_each_time_and_the_swing_nothing(
     data = figure.data
     for name, motion in closed_motions().items():
         back = data.angle[name][data.motions % 1 == 0]
-        exact = np.linalg.norm(exact_drift_per_motion(motion, LARIN_TRIAD))
+        exact = np.linalg.norm(exact_drift_per_cycle(motion, LARIN_TRIAD))
         # The samples of the cone miss its start by less than 1e-4 rad.
         np.testing.assert_allclose(back, exact * np.arange(REPEATS + 1), rtol=1e-4, atol=1e-12)
         # What first order lacks is of the size of the entries squared, some turns long.
@@ -92,7 +92,7 @@ def test_closed_motions_are_as_fine_as_asked() -> None:
         ),
         (lambda: drift_history(np.eye(3), [1, 0, 0], turns=0), "turns: expected"),
         (lambda: closed_motions(100), "increments: expected a multiple of six, got 100"),
-        (lambda: drift_map(np.full((3, 3), np.nan)), "triad_error: expected finite"),
+        (lambda: drift_map(np.full((3, 3), np.nan)), "error_matrix: expected finite"),
     ],
 )
 def test_refusals(call, sentence: str) -> None:

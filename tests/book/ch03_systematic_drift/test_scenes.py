@@ -15,12 +15,12 @@ RANDOM = 1e-3 * np.random.default_rng(18).normal(size=(3, 3))
 INDEFINITE = (1e-3 * SYMMETRIC, LARIN_TRIAD, RANDOM - np.eye(3) * np.trace(RANDOM) / 3)
 
 
-@pytest.mark.parametrize("triad_error", INDEFINITE)
-def test_no_axis_on_the_cone_drifts(triad_error) -> None:
-    cone = axes_without_drift(triad_error)
+@pytest.mark.parametrize("error_matrix", INDEFINITE)
+def test_no_axis_on_the_cone_drifts(error_matrix) -> None:
+    cone = axes_without_drift(error_matrix)
     assert cone.shape[0] == 2
     assert np.abs(np.linalg.norm(cone, axis=-1) - 1).max() < 1e-14
-    assert np.abs(drift_coefficient(cone, triad_error)).max() < 1e-13 * np.abs(triad_error).max()
+    assert np.abs(drift_coefficient(cone, error_matrix)).max() < 1e-13 * np.abs(error_matrix).max()
     assert np.allclose(cone[:, 0], cone[:, -1])
 
 
@@ -32,9 +32,9 @@ def test_the_cone_of_equal_leans_goes_through_the_edges() -> None:
     assert np.allclose(along[0, 0], np.eye(3) @ np.ones(3) / np.sqrt(3))
 
 
-@pytest.mark.parametrize("triad_error", [1e-3 * SKEW, 1e-3 * np.eye(3), np.zeros((3, 3))])
-def test_no_cone_if_all_axes_drift_one_way_or_none_does(triad_error) -> None:
-    assert axes_without_drift(triad_error).shape[0] == 0
+@pytest.mark.parametrize("error_matrix", [1e-3 * SKEW, 1e-3 * np.eye(3), np.zeros((3, 3))])
+def test_no_cone_if_all_axes_drift_one_way_or_none_does(error_matrix) -> None:
+    assert axes_without_drift(error_matrix).shape[0] == 0
 
 
 def test_the_way_leads_through_the_chosen_and_the_worst_axis() -> None:

@@ -22,7 +22,7 @@ from driftlab.book.ch04_calibration_by_turns.experiment_numbers import (
     SIGN_RESTORED,
     reconstruct,
 )
-from driftlab.drift.weighing_designs import weighing
+from driftlab.drift.weighing_designs import weighing_estimate
 from support import EPS, written
 
 
@@ -58,7 +58,7 @@ def test_interval_holds_what_was_written_of_it(value, like, rounding):
 
 @pytest.mark.parametrize("starred", [IN_THE_COPY[:4], SIGN_RESTORED[:4]])
 def test_weighed_intervals_are_those_of_all_sixteen_corners(starred):
-    corners = weighing(list(product(*map(digit_interval, starred))))
+    corners = weighing_estimate(list(product(*map(digit_interval, starred))))
     expected = np.stack([corners.min(axis=0), corners.max(axis=0)], axis=-1)
     np.testing.assert_allclose(weighed_intervals(starred), expected, rtol=0, atol=4e-3 * EPS)
 
@@ -86,7 +86,7 @@ def test_with_the_sign_restored_they_stand_together():
 def test_the_reconstruction_lies_in_the_digit_intervals():
     """Seven numbers that weigh exactly and lie in the seven intervals."""
     values = reconstruct().values
-    np.testing.assert_array_equal(values[4:], weighing(values[:4]))
+    np.testing.assert_array_equal(values[4:], weighing_estimate(values[:4]))
     assert all(inside(value, text) for value, text in zip(values, SIGN_RESTORED, strict=True))
 
 
@@ -95,7 +95,9 @@ def test_the_reconstruction_lies_in_the_digit_intervals():
     st.sampled_from([ROUND_DOWN, ROUND_HALF_EVEN]),
 )
 def test_any_honest_seven_are_consistent_and_wrong_ones_are_not(starred, rounding):
-    seven = tuple(written(value, "0.001e-3", rounding) for value in (*starred, *weighing(starred)))
+    seven = tuple(
+        written(value, "0.001e-3", rounding) for value in (*starred, *weighing_estimate(starred))
+    )
     assume(0 not in map(Decimal, seven))  # a zero has lost the sign that its interval needs
     assert is_consistent(seven)
     # Starred intervals are 1.5e-6 wide, so their weighings 3e-6: an error of 1e-5 shows.

@@ -21,10 +21,10 @@ from driftlab.book.ch04_calibration_by_turns.figures.real_table import LOWEST
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import earth_offset
+from driftlab.drift.turn_calibration import earth_rate_offset
 from driftlab.drift.weighing_designs import YATES_AXES
 from driftlab.earth import EARTH_RATE
-from driftlab.motion.table_turn import TableTurn
+from driftlab.motion.turntable_rotation import TurntableRotation
 from published import published
 
 ONE, BOTH, OFFSET, BOTH_AND_OFFSET = WAYS
@@ -61,7 +61,7 @@ def test_budget_by_hand() -> None:
     ("field", "source"),
     [
         ("common_scale", "scale factor, all gyros"),
-        ("gyro_scale", "scale factor, each gyro"),
+        ("gyro_scale_factor", "scale factor, each gyro"),
         ("gyro_bias", "gyro bias"),
         ("overshoot", "table overshoots"),
         ("stopping", "table stops at random"),
@@ -116,7 +116,7 @@ def test_second_order_of_the_estimate_on_a_table(rate: float) -> None:
         w = sense * table.rate
         for n, estimate in zip(YATES_AXES, row, strict=True):
             turning = EARTH_RATE * np.array([0, np.cos(table.latitude), np.sin(table.latitude)])
-            seen = TableTurn(w).seen_at_start(turning, n) / w
+            seen = TurntableRotation(w).components_at_start(turning, n) / w
             bent = table.triad @ n
             along, across = n @ bent, bent - (n @ bent) * n
             first = along + n @ seen
@@ -131,7 +131,7 @@ def test_second_order_of_the_estimate_on_a_table(rate: float) -> None:
 def test_simulated_turns_without_errors_show_sigma_and_earth() -> None:
     table = RealTable(**QUIET)
     (found,) = simulated_turns(table, 1, np.random.default_rng(0))
-    offsets = earth_offset(table.latitude, table.rate * np.array([[1], [-1]]))
+    offsets = earth_rate_offset(table.latitude, table.rate * np.array([[1], [-1]]))
     expected = drift_coefficient(YATES_AXES, table.triad) + offsets
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-7)
     ways = sigmas_by_way(found)
@@ -181,7 +181,7 @@ def test_presets_show_the_trap_and_its_cures() -> None:
 
 
 def test_a_bias_survives_the_common_offset_and_not_both_senses() -> None:
-    table = TableTurn(10 * degree, latitude=37.5 * degree)
+    table = TurntableRotation(10 * degree, latitude=37.5 * degree)
     common = "four axes, least squares and common scale"
     for plan, senses, harmed in ((common, "one", True), (next(iter(PLANS)), "both", False)):
         data = turn_estimates(
@@ -196,7 +196,7 @@ def test_a_bias_survives_the_common_offset_and_not_both_senses() -> None:
     ("settings", "sentence"),
     [
         ({"senses": "left"}, "^senses: expected one of one, both, got 'left'"),
-        ({"gyro_bias": 1e-6}, "^table: expected a TableTurn, .* got None"),
+        ({"gyro_bias": 1e-6}, "^table: expected a TurntableRotation, .* got None"),
     ],
 )
 def test_refusals(settings, sentence: str) -> None:

@@ -7,13 +7,13 @@ from scipy.constants import arcsecond, degree
 from driftlab.book.ch04_calibration_by_turns.experiments import mountings
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD, SKEW
-from driftlab.drift import earth_offset, error_quaternion, exact_turn_estimate
+from driftlab.drift import earth_rate_offset, error_quaternion, exact_turn_estimate
 from driftlab.drift.weighing_designs import YATES_AXES
-from driftlab.motion import TableTurn
+from driftlab.motion import TurntableRotation
 from driftlab.quaternion import rotate, to_rotation_vector
 
-TABLE = TableTurn(10 * degree)
-ON_EARTH = TableTurn(10 * degree, latitude=37.5 * degree)
+TABLE = TurntableRotation(10 * degree)
+ON_EARTH = TurntableRotation(10 * degree, latitude=37.5 * degree)
 BENT = 1e-3 * np.array([[0.2, 1.5, 0], [0, 0, -1], [1, 0.3, -0.1]])
 
 
@@ -73,12 +73,12 @@ def test_skew_triads_leave_nothing_and_larins_leaves_the_second_and_the_third() 
 
 def test_a_perfect_triad_shows_the_earth_the_same_about_all_axes() -> None:
     found = mountings(np.zeros((3, 3)), ON_EARTH).estimates
-    np.testing.assert_allclose(found, earth_offset(37.5 * degree, 10 * degree), rtol=1e-6)
+    np.testing.assert_allclose(found, earth_rate_offset(37.5 * degree, 10 * degree), rtol=1e-6)
     assert f"{found[0] / arcsecond:.2f}" == "52.46"
 
 
 def test_a_table_that_turns_otherwise_is_refused() -> None:
     with pytest.raises(ValueError, match="table: expected one even turn"):
-        mountings(BENT, TableTurn(10 * degree, turns=2))
+        mountings(BENT, TurntableRotation(10 * degree, turns=2))
     with pytest.raises(ValueError, match="table: expected one even turn"):
-        mountings(BENT, TableTurn(-10 * degree))
+        mountings(BENT, TurntableRotation(-10 * degree))

@@ -9,8 +9,8 @@ from scipy.special import factorial, factorial2
 from scipy.stats import chi2, gmean
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS, CONING_ALGORITHMS, Algorithm
-from driftlab.attitude.drift_on_cones import coning_drift, measured_coning_drift
-from driftlab.attitude.finite_precision import UPDATES, integrate_in_word, step_in_word
+from driftlab.attitude.drift_on_cones import coning_drift, simulated_coning_drift
+from driftlab.attitude.finite_precision import UPDATES, integrate_finite_word, step_finite_word
 from driftlab.attitude.integration import integrate
 from driftlab.attitude.noise_amplification import noise_growth
 from driftlab.book import figures
@@ -76,7 +76,7 @@ def test_area_that_a_polygon_misses_is_the_coning_drift(samples: int) -> None:
 @pytest.mark.parametrize("name", ["one-step-3", "two-step-3"])
 def test_third_order_error_is_no_drift_even_on_a_wide_cone(name: str) -> None:
     rates = np.array([48.0, 96, 192, 384])
-    drift = abs(measured_coning_drift(name, np.radians(60), 1.0, 1 / rates))
+    drift = abs(simulated_coning_drift(name, np.radians(60), 1.0, 1 / rates))
     assert -np.polyfit(np.log(rates), np.log(drift), 1)[0] == pytest.approx(4, abs=0.1)
 
 
@@ -257,7 +257,7 @@ def test_short_word_gains_from_the_advice_where_the_scalar_part_is_not_one(
 def test_stored_scalar_part_is_the_nearest_number_of_the_word(angle: float) -> None:
     k = np.array([-np.tan(angle / 4), 0.0, 0.0], dtype=np.float32)
     exact = np.cos(2 * np.arctan(float(k[0])))
-    assert step_in_word(k)[3] == np.float32(exact)
+    assert step_finite_word(k)[3] == np.float32(exact)
 
 
 def test_scalar_part_is_stored_as_one_below_the_line_and_not_above() -> None:
@@ -279,7 +279,7 @@ def test_laboratory_refuses_another_rate_and_shows_what_is_ticked() -> None:
 
 def test_laboratory_gives_each_algorithm_its_own_error_in_any_order() -> None:
     motion = Sway(0.1, 0.5)
-    for short, method in ((False, integrate), (True, integrate_in_word)):
+    for short, method in ((False, integrate), (True, integrate_finite_word)):
         for names in (list(ALGORITHMS), list(ALGORITHMS)[::-1], ["rotation-vector-3", "picard-1"]):
             table = algorithm_errors(motion, 24, names, short_word=short)
             increments = motion.increments(1 / 24, 48)

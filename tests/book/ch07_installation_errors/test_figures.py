@@ -21,8 +21,8 @@ from support import EPS
 
 
 def test_split_triad_shows_the_whole_and_its_parts() -> None:
-    data = error_matrix_parts(TYPICAL_ERRORS.gyro_error)
-    np.testing.assert_allclose(data.parts[0], TYPICAL_ERRORS.gyro_error, rtol=0, atol=0)
+    data = error_matrix_parts(TYPICAL_ERRORS.gyro_error_matrix)
+    np.testing.assert_allclose(data.parts[0], TYPICAL_ERRORS.gyro_error_matrix, rtol=0, atol=0)
     bound = 4 * EPS * np.abs(data.parts[0]).max()  # halves of sums, added up again
     np.testing.assert_allclose(data.parts[1:].sum(axis=0), data.parts[0], rtol=0, atol=bound)
     np.testing.assert_allclose(data.parts[3], cross_matrix(data.vector), rtol=0, atol=bound)
@@ -38,7 +38,7 @@ def test_leans_are_drawn_as_large_as_the_panel_lets_them(largest: float) -> None
 
 def test_what_the_figures_are_given_is_checked_at_the_door() -> None:
     for name, parameters, sentence in (
-        ("07-split-triad", {"gyro_error": np.eye(2)}, r"^gyro_error: "),
+        ("07-split-triad", {"gyro_error_matrix": np.eye(2)}, r"^gyro_error_matrix: "),
         ("07-plane-split", {"gyros": 0.1}, r"^gyros: "),
         ("07-plane-axes", {"accelerometers": [0.1, np.nan]}, r"^accelerometers: "),
         ("07-equivalent-start", {"scheme": "+90X"}, r"^scheme: "),
@@ -85,7 +85,7 @@ def test_equivalent_start_is_of_second_order_and_exact_for_a_rotation(
     gyros, accelerometers, both, both_and_start = data.velocity_error
     # What the first order leaves over is a tilt of the size squared, and as much times pi/4 again
     # for each quarter turn; gravity makes a velocity of it.
-    square = np.sum(misalignment_vector(TYPICAL_ERRORS.gyro_error) ** 2)
+    square = np.sum(misalignment_vector(TYPICAL_ERRORS.gyro_error_matrix) ** 2)
     tilt = square * (1 + np.pi / 4 * len(SCHEME.turns))
     assert both_and_start.max() < 9.81 * tilt * data.time[-1]
     assert min(gyros.max(), accelerometers.max(), both.max()) > 100 * both_and_start.max()

@@ -19,21 +19,21 @@ ROUNDING = 16 * EPS
 
 
 def test_angles_between_the_arrows_do_not_change() -> None:
-    data = two_laboratories(TYPICAL_ERRORS.gyro_error, BRACKET)
+    data = two_laboratories(TYPICAL_ERRORS.gyro_error_matrix, BRACKET)
     assert np.ptp(data.lack_of_square, axis=0).max() < ROUNDING
     assert np.abs(data.lack_of_square - 2 * data.non_orthogonality).max() < SECOND_ORDER
     assert np.ptp(data.non_orthogonality, axis=0).max() < SECOND_ORDER
 
 
 def test_misalignment_changes_by_the_bracket() -> None:
-    data = two_laboratories(TYPICAL_ERRORS.gyro_error, BRACKET)
-    assert np.abs(data.reported[0] - TYPICAL_ERRORS.gyro_error).max() < ROUNDING
+    data = two_laboratories(TYPICAL_ERRORS.gyro_error_matrix, BRACKET)
+    assert np.abs(data.reported[0] - TYPICAL_ERRORS.gyro_error_matrix).max() < ROUNDING
     gap = data.misalignment - data.misalignment[0] - data.share[:, np.newaxis] * BRACKET
     assert np.abs(gap).max() < SECOND_ORDER
 
 
 def test_the_bracket_that_suits_hides_the_misalignment() -> None:
-    in_a = TYPICAL_ERRORS.gyro_error
+    in_a = TYPICAL_ERRORS.gyro_error_matrix
     data = two_laboratories(in_a, -misalignment_vector(in_a))
     assert np.abs(data.misalignment[-1]).max() < SECOND_ORDER
     scene = opened(TwoTables)
@@ -46,7 +46,7 @@ def test_the_bracket_that_suits_hides_the_misalignment() -> None:
 def test_the_arrows_are_drawn_as_laboratory_b_reports_them() -> None:
     """Drawn too large, so that only the first order agrees: try it with a thousandth of both."""
     scene = opened(TwoTables)
-    small = two_laboratories(1e-3 * scene.compute(scene.values).gyro_error, 1e-3 * BRACKET)
+    small = two_laboratories(1e-3 * scene.compute(scene.values).gyro_error_matrix, 1e-3 * BRACKET)
     stage = scene.view.stage(small)
     unit = [p for p in stage.views[1].parts if p.style == "gyro" and p.kind == "dot"]
     drawn = np.array([rotate(stage.tracks["unit"][-1], p.points[0]) for p in unit])

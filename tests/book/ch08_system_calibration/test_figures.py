@@ -43,7 +43,7 @@ from driftlab.calibration import (
     unobservable_subspace,
 )
 from driftlab.calibration.scheme_design import CRITERIA
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES, Scheme
 from published import percent, published
@@ -230,7 +230,7 @@ def test_observability_of_a_table_is_that_of_its_own_scheme_model_latitude_and_n
             for noise in (ImuNoise(), ImuNoise(reference_velocity=0.1)):
                 data = table_observability(scheme, model, noise, latitude)
                 way = linearize_along(scheme, latitude, model)
-                after = np.sqrt(np.diag(covariance_analysis(way, noise, PriorDeviations())))
+                after = np.sqrt(np.diag(covariance_analysis(way, noise, PriorStandardDeviations())))
                 np.testing.assert_array_equal(data.after, after)
                 assert data.descriptions == unobservable_subspace(way).descriptions
                 data.descriptions.clear()  # nothing that is kept

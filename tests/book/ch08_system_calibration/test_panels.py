@@ -9,7 +9,7 @@ from driftlab.book.ch08_system_calibration.experiments import typical_trial
 from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS
 from panel_numbers import results_of
 
@@ -45,7 +45,7 @@ def test_observability_panel_says_rank_directions_and_deviations() -> None:
     noise = ImuNoise(0.005 * degree / np.sqrt(hour), 5 * micro * g, 0.01)
     model = ERROR_MODELS["averaged"]
     way = linearize_along(NINETEEN_POSITIONS, np.radians(37.5), model)
-    covariance = covariance_analysis(way, noise, PriorDeviations())
+    covariance = covariance_analysis(way, noise, PriorStandardDeviations())
     biases = np.sqrt(np.diag(covariance)[6:9]) / (degree / hour)
     found = [float(text) for text in said["gyro bias x, y, z, °/h"].split(", ")]
     assert found == pytest.approx(biases, rel=0.005)
@@ -61,9 +61,9 @@ def test_calibration_panel_agrees_with_the_run() -> None:
     said = dict(results_of(panel))
     for name, value in (
         ("estimate", trial.calibration.state[at, state]),
-        ("true", trial.imu_errors.gyro_error[0, 0]),
+        ("true", trial.imu_errors.gyro_error_matrix[0, 0]),
         ("error at this moment", trial.errors[at, state]),
-        ("three deviations", 3 * trial.calibration.deviations[at, state]),
+        ("three deviations", 3 * trial.calibration.standard_deviations[at, state]),
     ):
         # The averaged axes change a scale factor by second order only: 0.01 ppm.
         assert float(said[name].removesuffix(" ppm")) == pytest.approx(value / micro, abs=0.02)

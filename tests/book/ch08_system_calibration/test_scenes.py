@@ -7,15 +7,15 @@ from driftlab.book.ch08_system_calibration.experiments import scheme_run
 from driftlab.book.ch08_system_calibration.scenes import PLAYED
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import ERROR_MODELS, covariance_analysis, linearize_along
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS
-from driftlab.motion.turntable import table_trajectory
+from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import conjugate, multiply, rotate, rotation_angle
 
 
 def test_the_cube_stands_as_the_table_does() -> None:
     run = scheme_run()
-    true = table_trajectory(NINETEEN_POSITIONS, TABLE_LATITUDE, 0.75)
+    true = turntable_trajectory(NINETEEN_POSITIONS, TABLE_LATITUDE, 0.75)
     at = run.time / 0.75
     whole = np.flatnonzero(np.abs(at - at.round()) < 1e-6)
     assert len(whole) > 200
@@ -37,14 +37,16 @@ def test_words_say_how_the_cube_stands(name) -> None:
 
 def test_the_last_deviations_are_those_of_the_covariance_analysis() -> None:
     way = linearize_along(NINETEEN_POSITIONS, TABLE_LATITUDE, ERROR_MODELS["averaged"])
-    last = covariance_analysis(way, ImuNoise(), PriorDeviations())
-    np.testing.assert_allclose(scheme_run().deviations[-1], np.sqrt(np.diag(last)), rtol=1e-12)
+    last = covariance_analysis(way, ImuNoise(), PriorStandardDeviations())
+    np.testing.assert_allclose(
+        scheme_run().standard_deviations[-1], np.sqrt(np.diag(last)), rtol=1e-12
+    )
 
 
 @pytest.mark.parametrize("axis", "xyz")
 def test_a_gyro_scale_error_waits_for_turns_about_its_own_axis(axis) -> None:
     run = scheme_run()
-    level = np.log(run.deviations[:, run.names.index(f"gyro scale {axis}")])
+    level = np.log(run.standard_deviations[:, run.names.index(f"gyro scale {axis}")])
     own = [k for k, said in enumerate(run.doings) if said.endswith(f"about {axis}")]
     during = np.isin(run.doing[:-1], [*own, *(k + 1 for k in own)])
     assert np.diff(level)[during].sum() < 0.85 * (level[-1] - level[0])
@@ -53,7 +55,7 @@ def test_a_gyro_scale_error_waits_for_turns_about_its_own_axis(axis) -> None:
 @pytest.mark.parametrize("axis", "xyz")
 def test_an_accelerometer_bias_waits_until_its_axis_has_stood_up_and_down(axis) -> None:
     run = scheme_run()
-    deviation = run.deviations[:, run.names.index(f"accelerometer bias {axis}")]
+    deviation = run.standard_deviations[:, run.names.index(f"accelerometer bias {axis}")]
     both = max(
         next(k for k, said in enumerate(run.doings) if f"{axis} {way}" in said)
         for way in ("Up", "Down")
@@ -66,6 +68,6 @@ def test_an_accelerometer_bias_waits_until_its_axis_has_stood_up_and_down(axis) 
 
 def test_from_a_bad_start_one_scale_error_is_never_learnt() -> None:
     run = scheme_run(PLAYED["18 rotations, bad start"])
-    lost = run.deviations[-1] > 0.5 * run.deviations[0]
+    lost = run.standard_deviations[-1] > 0.5 * run.standard_deviations[0]
     assert "accelerometer scale z" in np.array(run.names)[lost]
     assert np.abs(rotate(run.attitude, [0.0, 0.0, 1.0])[:, 2]).max() < 1e-9

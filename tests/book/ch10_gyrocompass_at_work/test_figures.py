@@ -10,7 +10,7 @@ from driftlab.book.ch09_aligning_a_gyrocompass import experiments as alignments
 from driftlab.book.ch10_gyrocompass_at_work import experiments as at_work
 from driftlab.book.ch10_gyrocompass_at_work.experiments import dial, restarts, settling
 from driftlab.book.machinery.figure.publish import PublishedFigure
-from driftlab.gyrocompass.trials import most_range_over_deviation
+from driftlab.gyrocompass.trials import largest_range_over_standard_deviation
 from published import published
 from saratov import GRAVITY, HOURLY, LEVEL_RATE, SCHULER
 from support import EPS, chi_bounds, largest, range_distribution
@@ -22,7 +22,7 @@ from support import EPS, chi_bounds, largest, range_distribution
 def test_the_noise_of_the_paper_needs_more_than_white_noise(figure: PublishedFigure) -> None:
     """0.06 to 0.5 deg/h become 0.01 to 0.02 in one window only if something slow is left."""
     data = figure.data
-    before, after = data.deviations.T / HOURLY
+    before, after = data.standard_deviations.T / HOURLY
     assert list(before.round(2)) == list(alignments.WHITE)
     assert list(after.round(2)) == [0.01, 0.02]
     white_alone = np.array(alignments.WHITE) / np.sqrt(alignments.MOVING_AVERAGE)
@@ -34,7 +34,7 @@ def test_the_noise_of_the_paper_needs_more_than_white_noise(figure: PublishedFig
 def test_restarts_spread_as_their_noise_says(figure: PublishedFigure) -> None:
     data = figure.data
     assert data.aligned_heading.shape == (at_work.RESTARTS,)
-    expected = data.deviations[0, 1] / LEVEL_RATE
+    expected = data.standard_deviations[0, 1] / LEVEL_RATE
     low, high = chi_bounds(at_work.RESTARTS - 1)
     assert low < data.aligned_heading.var(ddof=1) / expected**2 < high
     assert abs(data.aligned_heading.mean()) < 4.9 * expected / np.sqrt(at_work.RESTARTS)
@@ -42,7 +42,7 @@ def test_restarts_spread_as_their_noise_says(figure: PublishedFigure) -> None:
     direct = np.convolve(data.raw, window, mode="valid")[::5]
     np.testing.assert_allclose(data.mean_rate, direct, rtol=0, atol=1e-12 * data.raw.std())
     low, high = chi_bounds(len(data.raw))
-    assert low < (data.raw / data.deviations[1, 0]).var() < high
+    assert low < (data.raw / data.standard_deviations[1, 0]).var() < high
 
 
 @published("10-restarts")
@@ -57,8 +57,8 @@ def test_a_range_of_the_papers_spread_is_rare_for_its_deviation(figure: Publishe
     assert comb(count, 2) * pair < 0.001
     # The law of all of them: times an independent deviation they are ranges.
     rng = np.random.default_rng(1)
-    deviations = chi(count - 1).rvs(10000, random_state=rng) / np.sqrt(count - 1)
-    found = kstest(data.ranges[:10000] * deviations, range_distribution(count))
+    standard_deviations = chi(count - 1).rvs(10000, random_state=rng) / np.sqrt(count - 1)
+    found = kstest(data.ranges[:10000] * standard_deviations, range_distribution(count))
     assert found.pvalue > 1e-4
     assert data.ranges.shape == (at_work.TRIALS,)
 
@@ -73,18 +73,18 @@ def test_a_spread_of_six_deviations_is_nothing_to_explain(figure: PublishedFigur
         assert found == pytest.approx(expected, abs=0.004)
     assert 0 < taken[1] < 0.001
     assert both_ways[1] == 0
-    assert both_ways[0] > most_range_over_deviation(at_work.RESTARTS)
+    assert both_ways[0] > largest_range_over_standard_deviation(at_work.RESTARTS)
     spreads = six[0] * np.linspace(0.0535, 0.0545, 11)
     assert {f"{spread:.1f}" for spread in spreads} == {f"{at_work.PAPER_SPREAD:.1f}"}
 
 
 def test_rounding_is_the_least_and_the_most_that_reads_so() -> None:
     low, high = restarts.rounded_ratio_range()
-    spreads, deviations = np.linspace(0.25, 0.35, 101), np.linspace(0.0535, 0.0545, 101)
+    spreads, standard_deviations = np.linspace(0.25, 0.35, 101), np.linspace(0.0535, 0.0545, 101)
     assert {f"{spread:.1f}" for spread in spreads[1:-1]} == {f"{at_work.PAPER_SPREAD:.1f}"}
-    inside = {f"{deviation:.3f}" for deviation in deviations[1:-1]}
+    inside = {f"{deviation:.3f}" for deviation in standard_deviations[1:-1]}
     assert inside == {f"{at_work.PAPER_DEVIATION:.3f}"}
-    ratios = spreads[:, np.newaxis] / deviations
+    ratios = spreads[:, np.newaxis] / standard_deviations
     assert (low, high) == pytest.approx((ratios.min(), ratios.max()), rel=1e-12)
 
 

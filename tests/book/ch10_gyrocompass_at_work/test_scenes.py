@@ -83,7 +83,7 @@ def test_the_ship_has_the_numbers_of_the_panel() -> None:
     # Added up elsewhere, which may round otherwise.
     shown = run.heading_error + run.speed_error
     np.testing.assert_allclose(ship.shown_error, shown, rtol=1e-12, atol=1e-16)
-    with_log = ship_with_compass(SPEED, 0.0, np.pi / 2, GYRO_BIAS, log=True)
+    with_log = ship_with_compass(SPEED, 0.0, np.pi / 2, GYRO_BIAS, speed_log=True)
     panel.set(log=True)
     assert np.array_equal(with_log.shown_error, panel.compute(panel.values).heading_error)
 

@@ -6,8 +6,8 @@ from scipy.integrate import quad, solve_ivp
 from scipy.linalg import solve_continuous_lyapunov
 
 from driftlab.book.ch10_gyrocompass_at_work.experiments.settling import (
+    damped_rate_standard_deviation,
     schuler_deviation,
-    settled_deviation,
 )
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.levelling import LevelFrame, propagate_level_frame
@@ -59,7 +59,7 @@ def responses(gains, interval, count):
 def test_settled_deviation_solves_lyapunovs_equation(frequency, damping):
     matrix = loop(damped_gains(frequency, GRAVITY, damping))
     covariance = solve_continuous_lyapunov(matrix, -DRIVE)
-    found = settled_deviation(WALK, frequency, damping)
+    found = damped_rate_standard_deviation(WALK, frequency, damping)
     assert found == pytest.approx(np.sqrt(covariance[1, 1]), rel=1e-9)
 
 
@@ -69,7 +69,7 @@ def test_settled_deviation_is_that_of_a_low_pass_filter(damping):
     area, _ = quad(lambda x: 1 / ((1 - x**2) ** 2 + (2 * damping * x) ** 2), 0, np.inf)
     # A density of N^2 on both sides, over the angular frequency: N^2/pi from 0.
     expected = WALK * np.sqrt(0.02 * area / np.pi)
-    assert settled_deviation(WALK, 0.02, damping) == pytest.approx(expected, rel=1e-6)
+    assert damped_rate_standard_deviation(WALK, 0.02, damping) == pytest.approx(expected, rel=1e-6)
 
 
 @pytest.mark.parametrize("damping", [0.5, np.sqrt(0.5), 1.2])
@@ -78,13 +78,17 @@ def test_settled_deviation_is_that_of_the_instrument(damping):
     answers = responses(damped_gains(frequency, GRAVITY, damping), interval, 300)
     # Noise of N sqrt(h) in each interval. The step is of second order, and so is the sum.
     simulated = WALK * np.sqrt(interval * np.sum(answers**2))
-    assert simulated == pytest.approx(settled_deviation(WALK, frequency, damping), rel=5e-3)
+    assert simulated == pytest.approx(
+        damped_rate_standard_deviation(WALK, frequency, damping), rel=5e-3
+    )
 
 
 def test_default_damping_is_that_of_the_tuning():
     matrix = loop(damped_gains(0.02, GRAVITY))
     covariance = solve_continuous_lyapunov(matrix, -DRIVE)
-    assert settled_deviation(WALK, 0.02) == pytest.approx(np.sqrt(covariance[1, 1]), rel=1e-9)
+    assert damped_rate_standard_deviation(WALK, 0.02) == pytest.approx(
+        np.sqrt(covariance[1, 1]), rel=1e-9
+    )
 
 
 # A horizon that swings

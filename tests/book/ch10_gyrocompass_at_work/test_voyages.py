@@ -15,7 +15,7 @@ from driftlab.earth import EARTH_RADIUS, EARTH_RATE
 from driftlab.frames import from_euler_angles, to_euler_angles
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.heading_error import speed_error
-from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import from_rotation_vector, multiply, rotate
 from published import published
@@ -27,9 +27,9 @@ STEP = ship_manoeuvre().increments.interval
 
 
 def sail(*voyage, gyro_bias=at_work.GYRO_BIAS, accelerometer_bias=(0.0, 0.0, 0.0), **settings):
-    """A compass on a voyage: arguments of `ship_manoeuvre`, and settings of `simulate_compass`."""
+    """A compass on a voyage: arguments of `ship_manoeuvre` and of `simulate_gyrocompass`."""
     own = {name: settings.pop(name) for name in [*settings] if name in SHIP_ARGUMENTS}
-    return simulate_compass(
+    return simulate_gyrocompass(
         ship_manoeuvre(*voyage, **own), gyro_bias, accelerometer_bias, **settings
     )
 
@@ -138,7 +138,7 @@ def test_the_formula_holds_at_any_latitude_on_any_course_after_any_turn() -> Non
             accelerometer_bias=3e-4 * rng.normal(size=3),
             pitch=float(rng.uniform(-1.2, 1.2)),
             tilt=1e-4 * float(rng.normal()),
-            log=True,
+            speed_log=True,
         )
         level = EARTH_RATE * np.cos(latitude)
         # Tilts over the cosine of the pitch, and errors of both level rates over the rate itself.
@@ -184,12 +184,12 @@ def test_the_speed_deviation_is_that_of_the_course(figure: PublishedFigure) -> N
 @published("10-ballistic-error")
 def test_schulers_tuning_with_a_log_has_no_tilt(figure: PublishedFigure) -> None:
     runs = figure.data.runs
-    plain, log, stiff, soft, damped = runs.values()
+    plain, speed_log, stiff, soft, damped = runs.values()
     coriolis = 2 * EARTH_RATE * np.sin(LATITUDE) * SPEED / GRAVITY
     assert 0.3 * coriolis < largest(plain.tilt) < 2.1 * coriolis
-    assert largest(log.tilt) < 0.005 * largest(plain.tilt)
-    assert largest(log.tilt) < 0.001 * arcminute
-    assert largest(log.heading_error) < 0.005 * largest(plain.heading_error)
+    assert largest(speed_log.tilt) < 0.005 * largest(plain.tilt)
+    assert largest(speed_log.tilt) < 0.001 * arcminute
+    assert largest(speed_log.heading_error) < 0.005 * largest(plain.heading_error)
     for wrong in (stiff, soft, damped):
         assert largest(wrong.tilt) > 8 * largest(plain.tilt)
     assert largest(damped.heading_error) > 8 * largest(plain.heading_error)
@@ -197,12 +197,13 @@ def test_schulers_tuning_with_a_log_has_no_tilt(figure: PublishedFigure) -> None
 
 def test_a_log_is_of_use_on_every_course_and_in_every_attitude() -> None:
     common = {"speed": 25.0, "course": 2.0, "turn": -1.0, "gyro_bias": np.zeros(3), "pitch": 0.5}
-    plain, log, short = (
-        sail(**common, **setting) for setting in ({}, {"log": True}, {"log": True, "interval": 2.0})
+    plain, speed_log, short = (
+        sail(**common, **setting)
+        for setting in ({}, {"speed_log": True}, {"speed_log": True, "interval": 2.0})
     )
-    assert largest(log.tilt) < 0.005 * largest(plain.tilt)
+    assert largest(speed_log.tilt) < 0.005 * largest(plain.tilt)
     # What is left is the step, of second order.
-    assert largest(log.tilt) > 3.8 * largest(short.tilt)
+    assert largest(speed_log.tilt) > 3.8 * largest(short.tilt)
 
 
 @pytest.mark.parametrize("factor", [0.5, 2.0])
@@ -250,7 +251,7 @@ def test_every_term_of_the_operating_formula_is_needed(figure: PublishedFigure) 
     # What all of them leave is of second order: the square of the angles in play.
     angles = largest(run.yaw_error) + largest(run.tilt) * np.tan(voyages.CRAFT["pitch"])
     assert full < angles**2 < 0.05 * largest(run.compass_error)
-    short = simulate_compass(
+    short = simulate_gyrocompass(
         ship_manoeuvre(**{**voyages.CRAFT, "interval": 0.5}), **voyages.CRAFT_COMPASS
     )
     assert largest(run.compass_error - short.compass_error[1::2]) < 1e-2 * full

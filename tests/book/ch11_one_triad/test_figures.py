@@ -8,8 +8,8 @@ from scipy.constants import arcsecond
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.ch11_one_triad import experiments as capstone
 from driftlab.book.machinery.figure.publish import PublishedFigure
-from driftlab.calibration.simulation import TableTrial
-from driftlab.drift.turn_calibration import earth_offset
+from driftlab.calibration.simulation import TurntableTrial
+from driftlab.drift.turn_calibration import earth_rate_offset
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align
 from driftlab.imu import TYPICAL_ERRORS
@@ -78,7 +78,7 @@ def test_one_sense_shows_the_earth_and_both_do_not() -> None:
     expected = np.einsum("ni,ij,nj->n", capstone.AXES, bent, capstone.AXES)
     turn = capstone.TURNS[0]
     odd = (
-        earth_offset(turn.latitude, turn.rate)
+        earth_rate_offset(turn.latitude, turn.rate)
         + capstone.AXES @ TYPICAL_ERRORS.gyro_bias / turn.rate
     )
     # Second order: squares and products of the bend, 2e-4, and the Earth's share, 3e-4.
@@ -178,10 +178,10 @@ def test_what_a_real_calibration_leaves_does_not_depend_on_the_bend() -> None:
     other = capstone.bent_triad(
         np.array([60.0, -40.0, -50.0]) * arcsecond, np.array([-30.0, 45.0, 10.0]) * arcsecond
     )
-    trial = TableTrial(frame="accelerometers", sample_interval=0.1).run(
+    trial = TurntableTrial(frame="accelerometers", sample_interval=0.1).run(
         np.random.default_rng(capstone.SEED), imu_errors=capstone.bent_unit(other)
     )
-    left = trial.calibration.imu_errors.gyro_error - other
+    left = trial.calibration.imu_errors.gyro_error_matrix - other
     default = capstone.bent_triad(capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT)
     # The two differ in second order: by the squares of the two bends.
     second = sum(np.linalg.norm(matrix, 2) ** 2 for matrix in (other, default))

@@ -207,7 +207,11 @@ def test_a_turn_of_the_record_is_the_one_in_the_table(turns):
 @pytest.mark.parametrize(
     ("name", "parameters", "sentence"),
     [
-        ("13-hand-turns", {"stop_deviation": 0}, "stop_deviation: expected a positive number"),
+        (
+            "13-hand-turns",
+            {"stop_standard_deviation": 0},
+            "stop_standard_deviation: expected a positive number",
+        ),
         ("13-parked-car", {"lengths": (70, 60, 300)}, r"lengths: expected three that grow, from"),
         ("13-parked-car", {"lengths": (70, 180, 900)}, r"lengths: .* at least 3, got .*900"),
         ("13-allan-plots", {"cheap_from": 5}, r"cheap_from: .* a tenth of the rest, .* got 5"),

@@ -25,7 +25,7 @@ from driftlab.book.machinery.figure.csv_table import read_table
 from driftlab.drift.turns_by_hand import HandTurn, fit_hand_turns, hand_turns, near_turns
 from driftlab.recordings.readers import read_csv
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rest_detection import rests
+from driftlab.recordings.static_detection import static_intervals
 
 SENSES = [(2, 1), (2, 1), (2, -1), (2, -1), (1, 1), (1, 1), (1, -1), (1, -1)]
 SENSES += [(0, 1), (0, 1), (0, -1), (0, -1)]
@@ -33,7 +33,7 @@ SENSES += [(0, 1), (0, 1), (0, -1), (0, -1)]
 
 def found_in(recording):
     """Increments, rests and turns of a log, as the lab sheet finds them."""
-    stops = rests(recording).rows
+    stops = static_intervals(recording).rows
     return recording.angles(), stops, hand_turns(recording.angles(), recording.interval, stops)
 
 
@@ -55,7 +55,7 @@ def test_twelve_turns_are_found_and_their_numbers_lie_in_the_intervals():
         assert [(turn.axis, turn.turns) for turn in turns] == SENSES
         fit = fit_hand_turns(turns)
         inside += list(np.abs(fit.sigma - np.diag(phone.TRIAD_ERROR)) < fit.half_widths()[0])
-        stops.append(fit.stop_deviation)
+        stops.append(fit.stop_standard_deviation)
     # The three axes of a phone share one scatter; count them as if they were one, 20 independent.
     assert np.mean(inside) > 0.95 - 4 * np.sqrt(0.95 * 0.05 / len(seeds))
     ratio = np.mean(np.square(stops)) / phone.STOP_ERROR**2
@@ -169,7 +169,7 @@ def test_a_made_up_phone_passes_and_its_rests_tell_a_jump():
             if np.isinf(begin):
                 own = np.abs(at_rest.offset - phone.BIAS)
                 # Five deviations, and what the Earth can add.
-                assert (own < 5 * at_rest.offset_deviation + 7.3e-5).all()
+                assert (own < 5 * at_rest.offset_standard_deviation + 7.3e-5).all()
                 # Of eight chances one is less than this in every 1250th trial.
                 fit = fit_hand_turns(turns)
                 assert min(chance_of_two_ways(fit, at_rest), chance_of_rests(at_rest)) > 1e-4

@@ -17,7 +17,7 @@ from driftlab.book.ch13_real_triads.experiments.parked_car import (
 from driftlab.book.machinery.figure.csv_table import read_table
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.earth import EARTH_RATE
-from driftlab.gyrocompass.trials import range_over_deviation
+from driftlab.gyrocompass.trials import range_over_standard_deviation
 from driftlab.vectors import wrap_angle
 from support import recording_or_skip
 
@@ -80,8 +80,8 @@ def test_the_spread_is_of_the_papers_size_and_of_a_normal_range():
     deviation = np.degrees(found.deviation)
     assert chance_of_ratio(deviation, PAPER_DEVIATION, 25) > 0.3
     assert round(np.degrees(found.reach), 1) == PAPER_SPREAD
-    ranges = range_over_deviation(np.random.default_rng(1).standard_normal((20_000, 26)))
-    ratio = range_over_deviation(car().restarts[2])
+    ranges = range_over_standard_deviation(np.random.default_rng(1).standard_normal((20_000, 26)))
+    ratio = range_over_standard_deviation(car().restarts[2])
     assert 0.05 < np.mean(ranges < ratio) < 0.95
     # As a drift of the East gyro the paper's is the smaller, for its place lies farther North.
     unit = EARTH_RATE * np.cos(car().latitude) / (degree / hour)

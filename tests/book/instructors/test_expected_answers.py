@@ -8,7 +8,7 @@ from driftlab.book.exercises import KINDS, all_exercises
 from driftlab.book.instructors.expected_answers import expected, expected_answers, told
 from driftlab.book.machinery.exercise.answers import Choice, Value
 from driftlab.book.machinery.exercise.formulas import Formula
-from driftlab.drift import earth_offset
+from driftlab.drift import earth_rate_offset
 
 VALUE = Value(kind="compute", right=lambda: np.pi / 2, unit="radians", mistakes={"No.": float})
 CHOICE = Choice(kind="explain", right="db", wrong={"a": "is false.", "c": "is too."})
@@ -33,7 +33,7 @@ def test_answers_are_words():
 @pytest.mark.parametrize("student", ["", "Ada Lovelace", "Ян"])
 def test_answer_to_a_students_own_numbers(student):
     numbers = given("4.6", student=student)
-    offset = earth_offset(*np.radians([numbers["latitude"], numbers["table_rate"]]))
+    offset = earth_rate_offset(*np.radians([numbers["latitude"], numbers["table_rate"]]))
     answer = f"{np.degrees(offset) * 3600:.3g} arc seconds"
     rows = {row[0]: row for row in expected_answers("predict", student=student).rows}
     assert rows["4.6"][1] == answer

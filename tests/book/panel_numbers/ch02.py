@@ -23,12 +23,12 @@ SHAPES = {
 
 def roots(values: Values) -> Rows:
     rate = axis_of(values)
-    triad_error = values["size"] * SHAPES[values["shape"]]
-    measured = measured_rate(rate, triad_error)
+    error_matrix = values["size"] * SHAPES[values["shape"]]
+    measured = measured_rate(rate, error_matrix)
     slow = np.linalg.norm(measured) - np.linalg.norm(rate)
-    first, second = (asymptotic_roots(rate, triad_error, order=n).imag for n in (1, 2))
-    in_the_copy = characteristic_polynomial(rate, measured, in_the_copy=True)
-    sizes = np.sort(np.abs(np.sqrt(np.roots(in_the_copy[::2]) + 0j).imag))
+    first, second = (asymptotic_roots(rate, error_matrix, order=n).imag for n in (1, 2))
+    as_printed = characteristic_polynomial(rate, measured, as_printed=True)
+    sizes = np.sort(np.abs(np.sqrt(np.roots(as_printed[::2]) + 0j).imag))
     rows = [("slow root, exact", f"{slow:.6f} i")]
     for name, fast, slow_one in (
         ("exact", exact_roots(rate, measured).imag.max(), slow),

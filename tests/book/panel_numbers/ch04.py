@@ -5,7 +5,7 @@ from scipy.constants import arcsecond
 
 from driftlab.book.ch04_calibration_by_turns.experiments import PLANS
 from driftlab.drift.turn_calibration import TurnExperiment, turn_estimate
-from driftlab.drift.weighing_designs import fit_turns, weighing
+from driftlab.drift.weighing_designs import fit_turns, weighing_estimate
 from driftlab.earth import EARTH_RATE
 
 from .values import Rows, Values, listed
@@ -56,7 +56,7 @@ def turn_calibration(values: Values) -> Rows:
     turned = [one_sense(values, experiment, axes, triad, sense, rng) for sense in senses]
     estimates = sum(turned) / len(senses)
     if plan.method == "yates":
-        found = weighing(estimates * [1, 1, 1, 1.5])
+        found = weighing_estimate(estimates * [1, 1, 1, 1.5])
     else:
         found = fit_turns(estimates, plan.axes, plan.method).sigma
     column = f"mean of {runs}, mrad" if noise else "found, mrad"

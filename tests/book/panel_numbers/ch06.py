@@ -3,7 +3,7 @@
 import numpy as np
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
-from driftlab.attitude.finite_precision import integrate_in_word
+from driftlab.attitude.finite_precision import integrate_finite_word
 from driftlab.attitude.integration import integrate
 from driftlab.motion.profiles import Coning, FixedAxis, Sway
 from driftlab.quaternion import conjugate, multiply, rotation_angle
@@ -15,7 +15,7 @@ def algorithm_laboratory(values: Values) -> Rows:
     kinds = {"coning": Coning, "swaying ship": Sway, "fixed axis": FixedAxis}
     motion = kinds[values["motion"]](np.radians(values["amplitude"]), values["frequency"])
     short = values["word"] == "32 bits"
-    method = integrate_in_word if short else integrate
+    method = integrate_finite_word if short else integrate
     floor = 1e-5 if short else 1e-12
     rows, errors = [], {}
     for name in ALGORITHMS:

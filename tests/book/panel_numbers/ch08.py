@@ -12,8 +12,8 @@ from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_dynamics import linearize_along
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.calibration.observability import unobservable_subspace
-from driftlab.calibration.static_error_growth import STATIC_CAUSES, static_error_modes
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.calibration.static_error_growth import STATIC_ERROR_SOURCES, static_error_modes
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
 from .values import Rows, Values, listed, three_digits
@@ -30,7 +30,7 @@ def observability(values: Values) -> Rows:
         values["accelerometer"] * micro * g,
         values["velocity"] * milli,
     )
-    after = np.sqrt(np.diag(covariance_analysis(way, noise, PriorDeviations())))
+    after = np.sqrt(np.diag(covariance_analysis(way, noise, PriorStandardDeviations())))
     unobservable = unobservable_subspace(way)
     seen = f"{model.size - len(unobservable.directions)} of {model.size}"
     hidden = "; ".join(unobservable.descriptions) or "nothing"
@@ -59,7 +59,7 @@ def calibration(values: Values) -> Rows:
     state = 6 + PARAMETERS.index(values["parameter"])
     name = found.model.names[state]
     size, unit = unit_of(name)
-    estimate, three = found.state[at, state] / size, 3 * found.deviations[at, state] / size
+    estimate, three = found.state[at, state] / size, 3 * found.standard_deviations[at, state] / size
     error = trial.errors[at, state] / size
     return [
         ("error at this moment", f"{error:.4f}{unit}"),
@@ -126,7 +126,7 @@ def mission(values: Values) -> Rows:
         rows += [(f"{what}: {other}", "") for other in names[1:]]
     chosen = (7, 8, 9, 10, 11, 0, 1, 2)
     for i in sorted(chosen, key=lambda i: not causes[i]):  # those of zero are blank, at the end
-        cause = STATIC_CAUSES[i].replace("accelerometer", "acc.")
+        cause = STATIC_ERROR_SOURCES[i].replace("accelerometer", "acc.")
         cause = "azimuth" if i == 2 else cause.replace("attitude", "tilt")
         for name, column in zip(names, columns, strict=True):
             size = f"{column[i] / nautical_mile:.2f}"

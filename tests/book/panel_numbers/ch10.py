@@ -5,20 +5,20 @@ from scipy.constants import arcminute, degree, hour, knot, minute
 
 from driftlab.book.scenarios import ship_manoeuvre
 from driftlab.gyrocompass import COARSE, Gyrocompass, GyroNoise, marine_type_test
-from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 
 from .values import ABSENT, Rows, Values, listed
 
 
 def gyrocompass(values: Values) -> Rows:
     latitude, course, turn = np.radians(listed(values, "latitude course turn"))
-    run = simulate_compass(
+    run = simulate_gyrocompass(
         ship_manoeuvre(latitude, values["speed"], course, turn, 4.0),
         listed(values, "gyro_forward gyro_up gyro_right") * degree / hour,
         tuning_factor=values["tuning"],
         damping=values["damping"],
         tilt=values["tilt"] * arcminute,
-        log=values["log"],
+        speed_log=values["log"],
     )
     small = max(np.abs([run.yaw_error, run.compass_error]).max(axis=-1)) <= 0.2
     gap = np.abs(run.heading_error - run.formula.heading)
@@ -56,12 +56,12 @@ LIMITS = {
 
 def type_test(values: Values) -> Rows:
     white = np.radians(values["walk"]) / 60
-    slow, drift = np.radians(listed(values, "slow drift")) / hour
+    gauss_markov, drift = np.radians(listed(values, "gauss_markov drift")) / hour
     compass = Gyrocompass(
         (0.0, 0.0, drift),
-        GyroNoise(white, slow, interval=1.0),
+        GyroNoise(white, gauss_markov, interval=1.0),
         damping=values["damping"],
-        log=values["log"],
+        speed_log=values["log"],
         alignment_time=values["alignment"] * minute,
     )
     place = np.radians(values["latitude"])

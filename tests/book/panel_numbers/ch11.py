@@ -7,15 +7,15 @@ from scipy.constants import arcminute, arcsecond
 
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.scenarios import ship_manoeuvre
-from driftlab.calibration.simulation import TableTrial
+from driftlab.calibration.simulation import TurntableTrial
 from driftlab.drift.recorded_turns import recorded_turn_estimate
-from driftlab.drift.systematic_drift import drift_per_turn
+from driftlab.drift.systematic_drift import drift_per_revolution
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors
-from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors, ImuNoise
 from driftlab.increments import Increments, measure
-from driftlab.motion.table_turn import TableTurn
+from driftlab.motion.turntable_rotation import TurntableRotation
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import rotate
 from driftlab.vectors import cross_matrix
@@ -43,10 +43,10 @@ def capstone(values: Values) -> Rows:
     rates = way.increments.mean_rate
     rows = []
     for stage, error in left.items():
-        drift_a_turn = np.abs(drift_per_turn(SIX_AXES, error)).max()
+        drift_a_turn = np.abs(drift_per_revolution(SIX_AXES, error)).max()
         drifts = rotate(attitude, rate @ error.T + shaken)
         aligned = alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
-        run = simulate_compass(way, rates @ error.T + shaken, log=True)
+        run = simulate_gyrocompass(way, rates @ error.T + shaken, speed_log=True)
         rows += [
             (f"{stage}: drift in a turn", f"{drift_a_turn / arcsecond:.1f}″"),
             (f"{stage}: aligned heading", f"{np.abs(aligned).max() / arcminute:.3f}′"),
@@ -58,15 +58,19 @@ def capstone(values: Values) -> Rows:
 SIX_AXES = np.vstack([np.eye(3), [[1, 1, 0], [1, 0, 1], [0, 1, 1]] / np.sqrt(2)])
 
 
-def unit_with(gyro_error: np.ndarray) -> ImuErrors:
+def unit_with(gyro_error_matrix: np.ndarray) -> ImuErrors:
     """The unit that is calibrated: typical biases, and accelerometers that are square."""
     square = np.zeros((3, 3))
-    return TYPICAL_ERRORS._replace(gyro_error=gyro_error, accelerometer_error=square)
+    return TYPICAL_ERRORS._replace(
+        gyro_error_matrix=gyro_error_matrix, accelerometer_error_matrix=square
+    )
 
 
 def pairs_by_turns(unit: ImuErrors) -> np.ndarray:
     """Pairs of the unit's gyros, by turns at ten degrees a second about six axes, both ways."""
-    turns = [TableTurn(rate, latitude=np.radians(37.5)) for rate in np.radians([10.0, -10.0])]
+    turns = [
+        TurntableRotation(rate, latitude=np.radians(37.5)) for rate in np.radians([10.0, -10.0])
+    ]
     true = np.stack([turn.increments(SIX_AXES, 180).angle for turn in turns])
     seconds = 36.0 / 180
     record = Increments(seconds, true, np.zeros_like(true))
@@ -81,6 +85,6 @@ def filter_leftover() -> np.ndarray:
     """What the filter leaves in the gyros of the unit with which the panel opens."""
     true = np.array([[0, -30, 20], [-30, 0, 30], [20, 30, 0]]) * arcsecond
     true = true + cross_matrix(np.array([20, 25, 20]) * arcsecond)
-    trial = TableTrial(frame="accelerometers", sample_interval=0.1)
+    trial = TurntableTrial(frame="accelerometers", sample_interval=0.1)
     found = trial.run(np.random.default_rng(11), imu_errors=unit_with(true)).calibration.imu_errors
-    return found.gyro_error - true
+    return found.gyro_error_matrix - true

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.constants import arcminute
 
-from driftlab.drift import drift_per_turn
+from driftlab.drift import drift_per_revolution
 
 from ..machinery.exercise.puzzle import Number, Puzzle
 
@@ -13,7 +13,7 @@ LEANING = np.array([[0, 2e-3, 0], [0, 0, 0], [0, 0, 0]])
 
 def error_after_one_turn() -> float:
     """Angle by which the attitude is off after a turn about the diagonal, arc minutes."""
-    return float(drift_per_turn([1, 1, 0], LEANING)) / arcminute
+    return float(drift_per_revolution([1, 1, 0], LEANING)) / arcminute
 
 
 PUZZLE = Puzzle(

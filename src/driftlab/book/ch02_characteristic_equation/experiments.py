@@ -59,15 +59,15 @@ def characteristic_roots(
 
 def _by_formula(sizes: FloatArray, shape: FloatArray, direction: FloatArray) -> ComplexArray:
     """Roots (formula, ..., 4) for an array of sizes (...)."""
-    triad_error = sizes[..., np.newaxis, np.newaxis] * shape
+    error_matrix = sizes[..., np.newaxis, np.newaxis] * shape
     with warnings.catch_warnings():  # no instrument is bent so much, and that is the subject here
         warnings.simplefilter("ignore", UnusualWarning)
-        measured = measured_rate(direction, triad_error)
+        measured = measured_rate(direction, error_matrix)
         return np.stack(
             [
                 exact_roots(direction, measured),
-                asymptotic_roots(direction, triad_error),
-                asymptotic_roots(direction, triad_error, order=2),
+                asymptotic_roots(direction, error_matrix),
+                asymptotic_roots(direction, error_matrix, order=2),
                 _copied_roots(direction, measured),
             ]
         )
@@ -78,7 +78,7 @@ def _copied_roots(direction: FloatArray, measured: FloatArray) -> ComplexArray:
 
     For a gross deformation they may leave the imaginary axis, which true roots never do.
     """
-    polynomial = characteristic_polynomial(direction, measured, in_the_copy=True)
+    polynomial = characteristic_polynomial(direction, measured, as_printed=True)
     b, c = polynomial[..., 2], polynomial[..., 4]
     fast = np.sqrt(0.5 * (b + np.sqrt(b**2 - 4 * c + 0j)))
     slow = np.sqrt(c) / fast * np.sign(exact_roots(direction, measured)[..., 2].imag)

@@ -66,9 +66,9 @@ class RootsExplorer(Explorer):
             "from driftlab.triad import measured_rate\n"
             "from driftlab.vectors import direction_from_angles\n"
             f"rate = {axis_code(values)}\n"
-            f"triad_error = {values['size']} * np.array({SHAPES[values['shape']]})\n"
-            "exact_roots(rate, measured_rate(rate, triad_error))\n"
-            "asymptotic_roots(rate, triad_error)"
+            f"error_matrix = {values['size']} * np.array({SHAPES[values['shape']]})\n"
+            "exact_roots(rate, measured_rate(rate, error_matrix))\n"
+            "asymptotic_roots(rate, error_matrix)"
         )
 
 

@@ -28,24 +28,24 @@ TRIAD_ERROR_CONTROLS = tuple(
 """The nine entries of the triad error, row by row: what each gyro picks up of each body axis."""
 
 
-def triad_error_of(values: Values) -> FloatArray:
+def error_matrix_of(values: Values) -> FloatArray:
     """Triad error (3, 3) of `TRIAD_ERROR_CONTROLS`."""
     return 1e-3 * np.array([values[entry] for entry in ENTRIES]).reshape(3, 3)
 
 
-def triad_error_values(triad_error: FloatArray) -> dict[str, float]:
+def error_matrix_values(error_matrix: FloatArray) -> dict[str, float]:
     """Values of `TRIAD_ERROR_CONTROLS` that give a triad error (3, 3)."""
-    rounded = np.round(1e3 * np.asarray(triad_error).ravel(), 6)
+    rounded = np.round(1e3 * np.asarray(error_matrix).ravel(), 6)
     return dict(zip(ENTRIES, rounded.tolist(), strict=True))
 
 
 TRIADS: dict[str, dict[str, float]] = {
-    "Symmetric triad": triad_error_values(1e-3 * SYMMETRIC),
-    "Skew triad": triad_error_values(LARGEST_ENTRY * SKEW),
+    "Symmetric triad": error_matrix_values(1e-3 * SYMMETRIC),
+    "Skew triad": error_matrix_values(LARGEST_ENTRY * SKEW),
     "Larin's triad": {
-        **triad_error_values(LARIN_TRIAD), "azimuth": 0.0, "elevation": 45.0
+        **error_matrix_values(LARIN_TRIAD), "azimuth": 0.0, "elevation": 45.0
     },
     "One gyro leans": {"m12": 2.0, "elevation": 0.0},
-    "Scale factor": triad_error_values(1e-3 * np.eye(3)),
+    "Scale factor": error_matrix_values(1e-3 * np.eye(3)),
 }  # fmt: skip
 """Triads by name, some with the axis about which they are turned at first."""

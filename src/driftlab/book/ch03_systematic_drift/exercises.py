@@ -15,7 +15,7 @@ from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import (
     drift_coefficient,
-    drift_per_turn,
+    drift_per_revolution,
     principal_drifts,
 )
 from driftlab.drift.weighing_designs import PAIR_AXES
@@ -42,21 +42,21 @@ def _arcmin(angle: Any) -> Any:
 
 
 def _loops(
-    triad_error: FloatArray, first: FloatArray = LOOPS[0], second: FloatArray = LOOPS[1]
+    error_matrix: FloatArray, first: FloatArray = LOOPS[0], second: FloatArray = LOOPS[1]
 ) -> FloatArray:
     """Rotation vector from R to B after one loop about each axis, arc minutes."""
     apparent = [
-        from_rotation_vector(2 * np.pi * measured_rate(axis, triad_error))
+        from_rotation_vector(2 * np.pi * measured_rate(axis, error_matrix))
         for axis in (first, second)
     ]
     return _arcmin(to_rotation_vector(multiply(*apparent)))
 
 
-def _loops_added(triad_error: FloatArray) -> FloatArray:
+def _loops_added(error_matrix: FloatArray) -> FloatArray:
     """The same if the rotation vectors of the two loops could be added."""
-    measured = measured_rate(LOOPS, triad_error)
+    measured = measured_rate(LOOPS, error_matrix)
     directions = measured / np.linalg.norm(measured, axis=1, keepdims=True)
-    return _arcmin(drift_per_turn(LOOPS, triad_error) @ directions)
+    return _arcmin(drift_per_revolution(LOOPS, error_matrix) @ directions)
 
 
 def _largest_drift(symmetric: FloatArray) -> float:
@@ -69,9 +69,9 @@ def _shown(values: Mapping[str, Any]) -> float:
     if (values["azimuth"], values["elevation"]) != (45.0, 35.0):
         raise SettingError("Set the azimuth to 45 degrees and the elevation to 35.")
     places = itertools.product((1, 2, 3), repeat=2)
-    triad_error = 1e-3 * np.reshape([values[f"m{i}{j}"] for i, j in places], (3, 3))
+    error_matrix = 1e-3 * np.reshape([values[f"m{i}{j}"] for i, j in places], (3, 3))
     axis = direction_from_angles(*np.radians([45.0, 35.0]))
-    return float(_arcmin(drift_per_turn(axis, triad_error)))
+    return float(_arcmin(drift_per_revolution(axis, error_matrix)))
 
 
 EXERCISES: dict[str, Exercise] = {
@@ -104,19 +104,19 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "3.2": Value(
         kind="slide",
-        right=lambda: _arcmin(drift_per_turn(DIAGONAL, REACH)),
+        right=lambda: _arcmin(drift_per_revolution(DIAGONAL, REACH)),
         unit="arc minutes",
         accuracy=0.005,
         from_panel=_shown,
         mistakes={
             "These are the six leans alone. A scale error drifts as well.": (
-                lambda: _arcmin(drift_per_turn(DIAGONAL, REACH - LARGEST_ENTRY * np.eye(3)))
+                lambda: _arcmin(drift_per_revolution(DIAGONAL, REACH - LARGEST_ENTRY * np.eye(3)))
             ),
             "More is possible: some sliders are not at their ends.": (
-                lambda: _arcmin(drift_per_turn(DIAGONAL, LARGEST_ENTRY * np.eye(3)))
+                lambda: _arcmin(drift_per_revolution(DIAGONAL, LARGEST_ENTRY * np.eye(3)))
             ),
             "That is the angle after all the turns of the picture; give the drift in one.": (
-                lambda: TURNS * _arcmin(drift_per_turn(DIAGONAL, REACH))
+                lambda: TURNS * _arcmin(drift_per_revolution(DIAGONAL, REACH))
             ),
         },
     ),
@@ -136,8 +136,8 @@ EXERCISES: dict[str, Exercise] = {
     "3.4": Value(
         kind="compute",
         given=GivenNumbers(
-            book={"triad_error": LARIN_TRIAD},
-            draw=lambda rng: {"triad_error": np.round(rng.uniform(5e-4, 3e-3, (3, 3)), 5)},
+            book={"error_matrix": LARIN_TRIAD},
+            draw=lambda rng: {"error_matrix": np.round(rng.uniform(5e-4, 3e-3, (3, 3)), 5)},
             units={},
         ),
         right=_loops,
@@ -145,55 +145,55 @@ EXERCISES: dict[str, Exercise] = {
         accuracy=1e-4,
         mistakes={
             "The order of the two loops: what happens later about body axes multiplies on the "
-            "right.": lambda triad_error: _loops(triad_error, LOOPS[1], LOOPS[0]),
+            "right.": lambda error_matrix: _loops(error_matrix, LOOPS[1], LOOPS[0]),
             "This is first order. Each drift is about the measured axis, and two rotations about "
             "different axes do not add like vectors.": (
-                lambda triad_error: _arcmin(
-                    2 * np.pi * drift_coefficient(LOOPS, triad_error) @ LOOPS
+                lambda error_matrix: _arcmin(
+                    2 * np.pi * drift_coefficient(LOOPS, error_matrix) @ LOOPS
                 )
             ),
             "Each loop is right, but two rotations about different axes do not add like vectors.": (
                 _loops_added
             ),
             "The second loop has the wrong sense.": (
-                lambda triad_error: _loops(triad_error, LOOPS[0], -LOOPS[1])
+                lambda error_matrix: _loops(error_matrix, LOOPS[0], -LOOPS[1])
             ),
         },
         remark="There and back cancels whatever the triad; two different axes do not.",
     ),
     "3.5": Formula(
         kind="compute",
-        arguments=("triad_error",),
+        arguments=("error_matrix",),
         draw=lambda rng: (rng.normal(0, 1e-3, (3, 3)),),
-        right=lambda triad_error: 2 * np.pi * principal_drifts(triad_error)[0][-1],
+        right=lambda error_matrix: 2 * np.pi * principal_drifts(error_matrix)[0][-1],
         mistakes={
             "M is not symmetric. A routine for symmetric matrices reads one half of it and takes "
             "the other for its mirror image; what drifts is the mean of M and its transpose.": (
                 _largest_drift
             ),
             "The same with the other half: what drifts is the mean of M and its transpose.": (
-                lambda triad_error: _largest_drift(triad_error.T)
+                lambda error_matrix: _largest_drift(error_matrix.T)
             ),
             "The half is missing: Σ is the mean of M and its transpose, not their sum.": (
-                lambda triad_error: _largest_drift(triad_error + triad_error.T)
+                lambda error_matrix: _largest_drift(error_matrix + error_matrix.T)
             ),
             "The half is missing off the diagonal, where Σ has the mean of two entries.": (
-                lambda triad_error: _largest_drift(
-                    triad_error + triad_error.T - np.diag(np.diag(triad_error))
+                lambda error_matrix: _largest_drift(
+                    error_matrix + error_matrix.T - np.diag(np.diag(error_matrix))
                 )
             ),
             "These are eigenvalues of M itself. Its skew part changes them, but does not drift.": (
-                lambda triad_error: 2 * np.pi * np.linalg.eigvals(triad_error).real.max()
+                lambda error_matrix: 2 * np.pi * np.linalg.eigvals(error_matrix).real.max()
             ),
             "This is the coefficient; give the angle after one turn.": (
-                lambda triad_error: principal_drifts(triad_error)[0][-1]
+                lambda error_matrix: principal_drifts(error_matrix)[0][-1]
             ),
             "This is the exact drift; give first order.": (
-                lambda triad_error: 2 * np.pi * principal_drifts(triad_error, exact=True)[0][-1]
+                lambda error_matrix: 2 * np.pi * principal_drifts(error_matrix, exact=True)[0][-1]
             ),
             "This is the largest size. Give the largest value; some triads lag behind more "
             "than they run ahead.": (
-                lambda triad_error: 2 * np.pi * np.abs(principal_drifts(triad_error)[0]).max()
+                lambda error_matrix: 2 * np.pi * np.abs(principal_drifts(error_matrix)[0]).max()
             ),
         },
         remark="One eigenvalue answers for all axes at once.",

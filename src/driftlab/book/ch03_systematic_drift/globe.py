@@ -27,7 +27,7 @@ from driftlab.quaternion import from_rotation_vector
 
 from .axes import axis_tour
 from .block import AXIS_LENGTH, block_parts, ghost_parts, gyro_dragged, magnification
-from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of, triad_error_values
+from .controls import TRIAD_ERROR_CONTROLS, TRIADS, error_matrix_of, error_matrix_values
 
 AZIMUTH = 15.0
 """From where the reader looks at first, so that the worst axis of the first block is in sight."""
@@ -160,7 +160,7 @@ class GlobeOfAxes(SceneExplorer):
             **TRIADS["Symmetric triad"], "azimuth": 0.0, "elevation": 0.0
         },
         "The second block": {
-            **triad_error_values(1e-3 * SKEW), "azimuth": -45.0, "elevation": 0.0
+            **error_matrix_values(1e-3 * SKEW), "azimuth": -45.0, "elevation": 0.0
         },
         "One gyro leans": {"m12": 2.0, "azimuth": 0.0, "elevation": 0.0},
         "Larin's triad": {
@@ -179,7 +179,7 @@ class GlobeOfAxes(SceneExplorer):
     }
 
     def compute(self, values: Values) -> DataTable:
-        return axis_tour(triad_error_of(values), axis_of(values))
+        return axis_tour(error_matrix_of(values), axis_of(values))
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         if handle.startswith("gyro"):
@@ -199,9 +199,9 @@ class GlobeOfAxes(SceneExplorer):
     def call(self, values: Values) -> str:
         return (
             "import numpy as np\n"
-            "from driftlab.drift import drift_per_turn, principal_drifts\n"
+            "from driftlab.drift import drift_per_revolution, principal_drifts\n"
             "from driftlab.vectors import direction_from_angles\n"
-            f"triad_error = {matrix_code(triad_error_of(values))}\n"
-            f"drift_per_turn({axis_code(values)}, triad_error)\n"
-            "principal_drifts(triad_error)"
+            f"error_matrix = {matrix_code(error_matrix_of(values))}\n"
+            f"drift_per_revolution({axis_code(values)}, error_matrix)\n"
+            "principal_drifts(error_matrix)"
         )

@@ -13,7 +13,7 @@ from driftlab.book.machinery.panel.axis import (
 from driftlab.book.machinery.panel.panel import Explorer, Values
 from driftlab.book.machinery.panel.results import Results
 
-from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of
+from .controls import TRIAD_ERROR_CONTROLS, TRIADS, error_matrix_of
 from .experiments import drift_history
 from .figures.drift_history import DriftHistoryPicture
 
@@ -34,7 +34,7 @@ class DriftExplorer(Explorer):
     }
 
     def compute(self, values: Values) -> DataTable:
-        return drift_history(triad_error_of(values), axis_of(values))
+        return drift_history(error_matrix_of(values), axis_of(values))
 
     def numbers(self, table: DataTable) -> Results:
         worst = axis_values(table.worst_axis)
@@ -51,11 +51,11 @@ class DriftExplorer(Explorer):
     def call(self, values: Values) -> str:
         return (
             "import numpy as np\n"
-            "from driftlab.drift import drift_per_turn, principal_drifts\n"
+            "from driftlab.drift import drift_per_revolution, principal_drifts\n"
             "from driftlab.vectors import direction_from_angles\n"
-            f"triad_error = {matrix_code(triad_error_of(values))}\n"
-            f"drift_per_turn({axis_code(values)}, triad_error)\n"
-            "principal_drifts(triad_error, exact=True)"
+            f"error_matrix = {matrix_code(error_matrix_of(values))}\n"
+            f"drift_per_revolution({axis_code(values)}, error_matrix)\n"
+            "principal_drifts(error_matrix, exact=True)"
         )
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from driftlab.drift import drift_per_turn
+from driftlab.drift import drift_per_revolution
 
 from ..machinery.exercise.puzzle import Choice, Number, Puzzle
 from ..scenarios import SKEW, SYMMETRIC
@@ -13,9 +13,9 @@ FIRST, SECOND, ALIKE = "the first", "the second", "both alike"
 
 def errors() -> tuple[float, float]:
     """Errors of the two blocks after a turn about the worst axis of each, rad."""
-    first = drift_per_turn([1, 1, 1], MILLI * SYMMETRIC)
+    first = drift_per_revolution([1, 1, 1], MILLI * SYMMETRIC)
     # A skew block has no one worst axis: all at right angles to (1, 1, 1) are alike.
-    second = drift_per_turn([1, -1, 0], MILLI * SKEW)
+    second = drift_per_revolution([1, -1, 0], MILLI * SKEW)
     return float(np.abs(first)), float(np.abs(second))
 
 

@@ -27,7 +27,7 @@ from driftlab.checks import FloatArray
 from driftlab.quaternion import from_rotation_vector, multiply
 
 from .block import axis_parts, block_parts, ghost_parts, gyro_dragged, magnification
-from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of, triad_error_values
+from .controls import TRIAD_ERROR_CONTROLS, TRIADS, error_matrix_of, error_matrix_values
 from .experiments import EXAGGERATION, TURNS, drift_history
 from .globe import GlobeOfAxes
 
@@ -92,12 +92,12 @@ class TurningBlockView(SceneView):
 
 
 def turning_block(
-    triad_error: ArrayLike = LEANING,
+    error_matrix: ArrayLike = LEANING,
     direction: ArrayLike = (1.0, 1.0, 0.0),
     exaggeration: float = EXAGGERATION,
 ) -> DataTable:
     """Error of a bent triad in as many moments as the block is shown in; see `drift_history`."""
-    return drift_history(triad_error, direction, SAMPLES, exaggeration=exaggeration)
+    return drift_history(error_matrix, direction, SAMPLES, exaggeration=exaggeration)
 
 
 class TurningBlock(SceneExplorer):
@@ -115,9 +115,9 @@ class TurningBlock(SceneExplorer):
             **TRIADS["One gyro leans"], "azimuth": -45.0
         },
         "Symmetric triad": {
-            **triad_error_values(1e-3 * SYMMETRIC), "azimuth": 45.0, "elevation": 35.0
+            **error_matrix_values(1e-3 * SYMMETRIC), "azimuth": 45.0, "elevation": 35.0
         },
-        "Skew triad": {**triad_error_values(1e-3 * SKEW), "azimuth": -45.0, "elevation": 0.0},
+        "Skew triad": {**error_matrix_values(1e-3 * SKEW), "azimuth": -45.0, "elevation": 0.0},
     }  # fmt: skip
     look_for: ClassVar = {
         "The puzzle": "The ghost is what the computer believes. What is left after a whole turn?",
@@ -128,7 +128,7 @@ class TurningBlock(SceneExplorer):
     }
 
     def compute(self, values: Values) -> DataTable:
-        return turning_block(triad_error_of(values), axis_of(values))
+        return turning_block(error_matrix_of(values), axis_of(values))
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         if handle.startswith("gyro"):
@@ -148,10 +148,10 @@ class TurningBlock(SceneExplorer):
     def call(self, values: Values) -> str:
         return (
             "import numpy as np\n"
-            "from driftlab.drift import drift_per_turn\n"
+            "from driftlab.drift import drift_per_revolution\n"
             "from driftlab.vectors import direction_from_angles\n"
-            f"triad_error = {matrix_code(triad_error_of(values))}\n"
-            f"drift_per_turn({axis_code(values)}, triad_error)"
+            f"error_matrix = {matrix_code(error_matrix_of(values))}\n"
+            f"drift_per_revolution({axis_code(values)}, error_matrix)"
         )
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from scipy.optimize import linprog
 
 from driftlab.checks import FloatArray
-from driftlab.drift.weighing_designs import weighing
+from driftlab.drift.weighing_designs import weighing_estimate
 
 CHARACTERS = "0123456789.-"
 """What a misread character may be."""
@@ -47,7 +47,7 @@ def weighed_intervals(starred: tuple[str, ...]) -> FloatArray:
     """
     low, high = np.array([digit_interval(text) for text in starred]).T
     half_width = 0.5 * np.sum(0.5 * (high - low))
-    middle = weighing(0.5 * (low + high))
+    middle = weighing_estimate(0.5 * (low + high))
     return np.stack([middle - half_width, middle + half_width], axis=-1)
 
 
@@ -58,7 +58,7 @@ def is_consistent(seven: tuple[str, ...], rule: str | None = None) -> bool:
     lie in the three doubly starred ones?
     """
     bounds = [digit_interval(text, rule) for text in seven]
-    weights = weighing(np.eye(4)).T
+    weights = weighing_estimate(np.eye(4)).T
     low, high = np.array(bounds[4:]).T
     # Scaled to units of 1e-9, or the solver's own tolerance would swallow the intervals.
     found = linprog(

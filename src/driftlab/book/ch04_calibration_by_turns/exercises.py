@@ -14,7 +14,7 @@ from driftlab.book.machinery.exercise.reading import slider
 from driftlab.book.scenarios import LARIN_TRIAD, SYMMETRIC
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import earth_offset
+from driftlab.drift.turn_calibration import earth_rate_offset
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns
 from driftlab.earth import EARTH_RATE
 
@@ -34,7 +34,7 @@ WHOLE_TURNS = 2
 
 def _earth_alone(latitude: float, table_rate: float) -> float:
     """Estimate of a triad without error, in arc seconds, from degrees and degrees a second."""
-    return float(earth_offset(latitude * degree, table_rate * degree)) / arcsecond
+    return float(earth_rate_offset(latitude * degree, table_rate * degree)) / arcsecond
 
 
 def _other_part(latitude: float, table_rate: float, share: float | None = None) -> float:
@@ -49,14 +49,14 @@ def _southern_table(rng: np.random.Generator) -> dict[str, float]:
     return {"latitude": -float(latitude), "table_rate": -float(table_rate)}
 
 
-def _twelve_turns(*, scale: str = "each", senses: int = 2) -> list[float]:
+def _twelve_turns(*, scale_factor: str = "each", senses: int = 2) -> list[float]:
     """Mean variance of the sigmas by both plans of exercise 4.7."""
     variances = []
     for axes in (EDGES, BODY_AND_PAIRS):
         rates = np.repeat([1.0, -1.0][:senses], len(axes))
         turns = np.tile(axes, (senses, 1))
         fit = fit_turns(
-            np.zeros(len(turns)), turns, scale, table_rates=rates, gyro_bias=senses == 2
+            np.zeros(len(turns)), turns, scale_factor, table_rates=rates, gyro_bias=senses == 2
         )
         variances.append(float(np.diag(fit.covariance)[:3].mean()))
     return variances
@@ -86,7 +86,7 @@ def _steps_to_stay_near(limit: float, formula: str = "pade") -> int:
 
 
 def _mean_variances(
-    *plans: FloatArray, scale: str = "none", diagonal_is_sum: bool = False
+    *plans: FloatArray, scale_factor: str = "none", diagonal_is_sum: bool = False
 ) -> FloatArray:
     """Mean variance of the three sigmas for each plan of axes, each estimate of variance one.
 
@@ -94,7 +94,7 @@ def _mean_variances(
     """
 
     def mean_variance(axes: FloatArray) -> float:
-        covariance = fit_turns(np.zeros(len(axes)), axes, scale).covariance
+        covariance = fit_turns(np.zeros(len(axes)), axes, scale_factor).covariance
         if diagonal_is_sum:
             x, y, z = (axes / np.linalg.norm(axes, axis=1, keepdims=True)).T
             design = np.column_stack([2 * x * y, 2 * x * z, 2 * y * z])
@@ -105,8 +105,8 @@ def _mean_variances(
     return np.array([mean_variance(axes) for axes in plans])
 
 
-def _sigma(estimates: ArrayLike, scale: str = "common", number: int = 1) -> float:
-    return float(fit_turns(estimates, YATES_AXES, scale).sigma[number - 1])
+def _sigma(estimates: ArrayLike, scale_factor: str = "common", number: int = 1) -> float:
+    return float(fit_turns(estimates, YATES_AXES, scale_factor).sigma[number - 1])
 
 
 def _yates(factor: float, y1: float, y2: float, y3: float, y4: float) -> float:
@@ -197,7 +197,7 @@ EXERCISES: dict[str, Exercise] = {
                 lambda: _mean_variances(YATES_AXES, YATES_AXES, EDGES)
             ),
             "An offset is solved for as well; leave it out.": (
-                lambda: _mean_variances(YATES_AXES, DIAGONALS, EDGES, scale="common")
+                lambda: _mean_variances(YATES_AXES, DIAGONALS, EDGES, scale_factor="common")
             ),
             "These are standard deviations.": (
                 lambda: np.sqrt(_mean_variances(YATES_AXES, DIAGONALS, EDGES))
@@ -286,11 +286,11 @@ EXERCISES: dict[str, Exercise] = {
             "These variances belong to one sense only. Each axis is turned twice.": (
                 lambda: _nine(*_twelve_turns(senses=1))
             ),
-            'These variances are without unknown scale factors: use `scale="each"`.': (
-                lambda: _nine(*_twelve_turns(scale="none"))
+            'These variances are without unknown scale factors: use `scale_factor="each"`.': (
+                lambda: _nine(*_twelve_turns(scale_factor="none"))
             ),
             "That is for one common scale factor; each gyro has its own here.": (
-                lambda: _nine(*_twelve_turns(scale="common"))
+                lambda: _nine(*_twelve_turns(scale_factor="common"))
             ),
             "The two plans do not weigh alike. About the pair axes a scale factor looks like a "
             "sigma until the turns about the body axes take it off, and these have noise.": (

@@ -19,7 +19,7 @@ from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray, finite_arrays
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment, exact_turn_estimate
-from driftlab.drift.weighing_designs import YATES_AXES, weighing
+from driftlab.drift.weighing_designs import YATES_AXES, weighing_estimate
 
 NAMES = ("sigma1*", "sigma2*", "sigma3*", "sigma4*", "sigma1**", "sigma2**", "sigma3**")
 
@@ -124,7 +124,7 @@ def seven_numbers(estimates: ArrayLike, sum_factor: ArrayLike) -> FloatArray:
     fourth = np.arctan(factor * np.tan(np.pi * estimates[..., 3])) / np.pi
     pairs = np.broadcast_to(estimates[..., :3], (*fourth.shape, 3))
     starred = np.concatenate([pairs, fourth[..., np.newaxis]], axis=-1)
-    return np.concatenate([starred, weighing(starred)], axis=-1)
+    return np.concatenate([starred, weighing_estimate(starred)], axis=-1)
 
 
 def experiment_numbers() -> dict[str, FloatArray]:
@@ -136,7 +136,7 @@ def experiment_numbers() -> dict[str, FloatArray]:
     starred[3] *= 1.5
     return {
         "copy": np.array([float(text) for text in IN_THE_COPY]),
-        "exact": np.concatenate([starred, weighing(starred)]),
+        "exact": np.concatenate([starred, weighing_estimate(starred)]),
         "reconstructed": reconstruct().values,
     }
 

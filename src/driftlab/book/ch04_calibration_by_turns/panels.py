@@ -14,9 +14,9 @@ from driftlab.book.machinery.panel.results import Results
 from driftlab.checks import FloatArray
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment
-from driftlab.motion.table_turn import TableTurn
+from driftlab.motion.turntable_rotation import TurntableRotation
 
-from .experiments import PLANS, SENSES, triad_error, turn_estimates
+from .experiments import PLANS, SENSES, error_matrix, turn_estimates
 from .figures.turn_estimates import TurnEstimatesPicture
 
 ARC_SECOND = float(np.radians(1 / 3600))
@@ -82,7 +82,7 @@ class TurnCalibrationExplorer(Explorer):
     @staticmethod
     def _triad_error(values: Values) -> FloatArray:
         sigma = [values[f"sigma{i}"] for i in (1, 2, 3)]
-        return 1e-3 * triad_error(sigma, values["skew"], values["scale"])
+        return 1e-3 * error_matrix(sigma, values["skew"], values["scale"])
 
     @staticmethod
     def _experiment(values: Values) -> TurnExperiment:
@@ -91,13 +91,13 @@ class TurnCalibrationExplorer(Explorer):
         )
 
     @staticmethod
-    def _table(values: Values) -> TableTurn | None:
+    def _table(values: Values) -> TurntableRotation | None:
         """The real table, if there is anything that a turn in inertial space does not show."""
         earth = values["earth"] == "turning"
         if not (earth or values["bias"]):
             return None
         latitude = float(np.radians(values["latitude"])) if earth else None
-        return TableTurn(float(np.radians(values["rate"])), values["turns"], latitude)
+        return TurntableRotation(float(np.radians(values["rate"])), values["turns"], latitude)
 
     def compute(self, values: Values) -> DataTable:
         return turn_estimates(
@@ -123,7 +123,7 @@ class TurnCalibrationExplorer(Explorer):
 
     def call(self, values: Values) -> str:
         experiment, table = self._experiment(values), self._table(values)
-        given = ["triad_error", repr(values["plan"]), "experiment"]
+        given = ["error_matrix", repr(values["plan"]), "experiment"]
         if table is not None:
             bias = values["bias"] * DEGREE_PER_HOUR
             given += ["table=table", f"gyro_bias={bias!r}"] if bias else ["table=table"]
@@ -133,8 +133,8 @@ class TurnCalibrationExplorer(Explorer):
             "import numpy as np\n"
             "from driftlab.book.ch04_calibration_by_turns.experiments import turn_estimates\n"
             "from driftlab.drift import TurnExperiment\n"
-            + ("from driftlab.motion import TableTurn\n" if table else "")
-            + f"triad_error = {matrix_code(self._triad_error(values))}\n"
+            + ("from driftlab.motion import TurntableRotation\n" if table else "")
+            + f"error_matrix = {matrix_code(self._triad_error(values))}\n"
             f"experiment = {experiment}\n"
             + (f"table = {table}\n" if table else "")
             + f"turn_estimates({', '.join(given)}).runs"

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.constants import arcsecond, degree
 
 from driftlab.drift import recorded_turn_estimate
-from driftlab.motion import TableTurn
+from driftlab.motion import TurntableRotation
 
 from ..machinery.exercise.puzzle import Choice, Number, Puzzle
 
@@ -26,7 +26,7 @@ def seeming_error(rate: float) -> float:
 
     A negative rate (rad/s) is clockwise.
     """
-    record = TableTurn(rate, latitude=LATITUDE).increments(AXIS, samples=360)
+    record = TurntableRotation(rate, latitude=LATITUDE).increments(AXIS, samples=360)
     # A turn estimates half of what the two axes miss.
     return 2 * float(recorded_turn_estimate(record.angle, AXIS)) / arcsecond
 

@@ -16,8 +16,8 @@ from driftlab.book.ch03_systematic_drift.block import (
 )
 from driftlab.book.ch03_systematic_drift.controls import (
     TRIAD_ERROR_CONTROLS,
-    triad_error_of,
-    triad_error_values,
+    error_matrix_of,
+    error_matrix_values,
 )
 from driftlab.book.ch03_systematic_drift.experiments import EXAGGERATION
 from driftlab.book.machinery.figure.data_table import DataTable
@@ -31,7 +31,7 @@ from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stag
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.scenarios import LARIN_TRIAD, SKEW
 from driftlab.checks import FloatArray
-from driftlab.motion.table_turn import TableTurn
+from driftlab.motion.turntable_rotation import TurntableRotation
 from driftlab.quaternion import from_rotation_vector, multiply
 
 from .experiments import AS_DERIVED, mountings
@@ -118,7 +118,7 @@ class MountingsView(SceneView):
 
 def gyros(data: DataTable) -> FloatArray:
     """Sensitive axes (3, 3) as rows, bent `EXAGGERATION` times too much."""
-    return np.eye(3) + EXAGGERATION * data.triad_error
+    return np.eye(3) + EXAGGERATION * data.error_matrix
 
 
 def sum_over(data: DataTable) -> FloatArray:
@@ -193,9 +193,9 @@ class FourMountings(SceneExplorer):
     )
     presets: ClassVar = {
         "A bent triad": {"m12": 1.5, "m31": 1.0, "m23": -1.0},
-        "Larin's triad": triad_error_values(LARIN_TRIAD),
-        "Skew triad": triad_error_values(1e-3 * SKEW),
-        "Scale factor": triad_error_values(5e-4 * np.eye(3)),
+        "Larin's triad": error_matrix_values(LARIN_TRIAD),
+        "Skew triad": error_matrix_values(1e-3 * SKEW),
+        "Scale factor": error_matrix_values(5e-4 * np.eye(3)),
         "A perfect triad, on the Earth": {"earth": "turning"},
     }
     look_for: ClassVar = {
@@ -209,11 +209,11 @@ class FourMountings(SceneExplorer):
     }
 
     @staticmethod
-    def _table(values: Values) -> TableTurn:
-        return TableTurn(RATE, latitude=LATITUDE if values["earth"] == "turning" else None)
+    def _table(values: Values) -> TurntableRotation:
+        return TurntableRotation(RATE, latitude=LATITUDE if values["earth"] == "turning" else None)
 
     def compute(self, values: Values) -> DataTable:
-        return mountings(triad_error_of(values), self._table(values))
+        return mountings(error_matrix_of(values), self._table(values))
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         return gyro_dragged(handle, direction, self.values)
@@ -239,9 +239,9 @@ class FourMountings(SceneExplorer):
         return (
             "import numpy as np\n"
             "from driftlab.book.ch04_calibration_by_turns.experiments import mountings\n"
-            "from driftlab.motion import TableTurn\n"
-            f"triad_error = {matrix_code(triad_error_of(values))}\n"
-            f"mountings(triad_error, {self._table(values)}).estimates"
+            "from driftlab.motion import TurntableRotation\n"
+            f"error_matrix = {matrix_code(error_matrix_of(values))}\n"
+            f"mountings(error_matrix, {self._table(values)}).estimates"
         )
 
 

@@ -9,7 +9,7 @@ from driftlab.attitude.cayley import rotation_quaternion
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm, LastStage
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
-from driftlab.attitude.integration import step_quaternions, step_vectors
+from driftlab.attitude.integration import step_quaternions, step_rotation_vectors
 from driftlab.attitude.spherical_area import solid_angle
 from driftlab.book.machinery.exercise.answers import Choice, Value
 from driftlab.book.machinery.exercise.exercise import Exercise
@@ -238,7 +238,7 @@ EXERCISES: dict[str, Exercise] = {
             )[0],
             "The step turns half as far: the tangent in k is of a quarter of the angle.": (
                 lambda gamma_1, gamma_2: rotation_quaternion(
-                    step_vectors([gamma_1, gamma_2], "two-step-4")[0], 3
+                    step_rotation_vectors([gamma_1, gamma_2], "two-step-4")[0], 3
                 )
             ),
             "This is the opposite rotation: k points against the axis.": lambda **halves: conjugate(

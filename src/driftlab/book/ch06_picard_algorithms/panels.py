@@ -90,7 +90,7 @@ class AlgorithmLaboratoryExplorer(Explorer):
         kind = MOTIONS[values["motion"]].__name__
         short = WORDS[values["word"]]
         names = [name for name in ALGORITHMS if values[name]]
-        function = "integrate_in_word" if short else "integrate"
+        function = "integrate_finite_word" if short else "integrate"
         rate = values["rate"]
         count = round(DURATION * rate)
         return (

@@ -17,9 +17,9 @@ from driftlab.calibration.body_axes import attitude_error
 from driftlab.checks import FloatArray
 from driftlab.motion.scheme import Scheme
 from driftlab.motion.trajectory import Trajectory
-from driftlab.motion.turntable import table_trajectory
+from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply, rotate
-from driftlab.triad import decompose
+from driftlab.triad import split_error_matrix
 from driftlab.vectors import cross_matrix
 
 from .experiments import INTERVAL, computed_attitude, inertial_attitude
@@ -31,7 +31,9 @@ def _lean(K_xy: int) -> FloatArray:
     """Non-orthogonality of x and y, and the turn (3,) of the averaged axes, in arc seconds."""
     lean = K_xy * np.outer([1.0, 0, 0], [0, 1, 0])
     # The axes turn the other way than the components.
-    return np.array([decompose(lean).non_orthogonality[0, 1], *(0.0 - misalignment_vector(lean))])
+    return np.array(
+        [split_error_matrix(lean).non_orthogonality[0, 1], *(0.0 - misalignment_vector(lean))]
+    )
 
 
 def _skew(*vector: float) -> FloatArray:
@@ -40,10 +42,10 @@ def _skew(*vector: float) -> FloatArray:
 
 @cache
 def _record() -> Trajectory:
-    return table_trajectory(SCHEME, TABLE_LATITUDE, INTERVAL, multiple_of=2)
+    return turntable_trajectory(SCHEME, TABLE_LATITUDE, INTERVAL, multiple_of=2)
 
 
-def _error(gyro_error: FloatArray, start: FloatArray, of_earth: bool = False) -> FloatArray:
+def _error(gyro_error_matrix: FloatArray, start: FloatArray, of_earth: bool = False) -> FloatArray:
     """Attitude error (3,) in arc seconds at the end, of a computer that starts with `start` (3,).
 
     With `of_earth` it is counted wrongly, from axes that turn with the Earth.
@@ -51,7 +53,7 @@ def _error(gyro_error: FloatArray, start: FloatArray, of_earth: bool = False) ->
     record = _record()
     first = record.attitude[0]
     begin = multiply(from_rotation_vector(-start), first)
-    found = computed_attitude(record, gyro_error, begin)[-1]
+    found = computed_attitude(record, gyro_error_matrix, begin)[-1]
     true = record.attitude[-1] if of_earth else inertial_attitude(record, first)[-1]
     return attitude_error(found, true) / arcsecond
 

@@ -19,10 +19,10 @@ from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuErrors
 from driftlab.increments import measure
 from driftlab.motion.scheme import Scheme
 from driftlab.motion.trajectory import Trajectory
-from driftlab.motion.turntable import table_trajectory
+from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotate, rotation_angle
-from driftlab.strapdown import Navigation, at_rest, navigate
-from driftlab.triad import decompose
+from driftlab.strapdown import Navigation, navigate, stationary_state
+from driftlab.triad import split_error_matrix
 from driftlab.vectors import cross_matrix
 
 INTERVAL = 0.05
@@ -42,10 +42,12 @@ LEAST = 1e-17
 """What stands where nothing is left, for a logarithmic axis."""
 
 
-def error_matrix_parts(gyro_error: ArrayLike = TYPICAL_ERRORS.gyro_error) -> DataTable:
+def error_matrix_parts(
+    gyro_error_matrix: ArrayLike = TYPICAL_ERRORS.gyro_error_matrix,
+) -> DataTable:
     """Take an error matrix apart; Wu (7)-(15)."""
-    whole = finite_array(gyro_error, "gyro_error", 3, 3)
-    parts = np.stack([whole, *decompose(whole)])
+    whole = finite_array(gyro_error_matrix, "gyro_error_matrix", 3, 3)
+    parts = np.stack([whole, *split_error_matrix(whole)])
     names = ("whole", "scale", "non_orthogonality", "misalignment")
     return DataTable(
         {"parts": (parts, "", "the error matrix and its parts, row by row", names)},
@@ -56,7 +58,7 @@ def error_matrix_parts(gyro_error: ArrayLike = TYPICAL_ERRORS.gyro_error) -> Dat
 def plane_split(gyros: ArrayLike = (0.30, 0.10)) -> DataTable:
     """Take the installation errors of two gyros in a plane apart; Wu Fig. 1, (43), (44)."""
     x, y = whole = finite_array(gyros, "gyros", 2)
-    parts = decompose(np.array([[0, x, 0], [-y, 0, 0], [0, 0, 0]]))
+    parts = split_error_matrix(np.array([[0, x, 0], [-y, 0, 0], [0, 0, 0]]))
     # Row x leans to y by its entry, and row y to x by its own, which is the other way round.
     turned, closed = (
         np.array([matrix[0, 1], -matrix[1, 0]])
@@ -101,16 +103,16 @@ def plane_body_axes(
 
 
 def equivalent_start(
-    gyro_error: ArrayLike = TYPICAL_ERRORS.gyro_error,
+    gyro_error_matrix: ArrayLike = TYPICAL_ERRORS.gyro_error_matrix,
     scheme: Scheme = SCHEME,
     latitude: float = TABLE_LATITUDE,
     direction: ArrayLike = MISALIGNMENT_DIRECTION,
 ) -> DataTable:
     """Run units with installation errors through a scheme; Wu (16)-(36), not linearised."""
-    whole = finite_array(gyro_error, "gyro_error", 3, 3)
+    whole = finite_array(gyro_error_matrix, "gyro_error_matrix", 3, 3)
     about, _ = nonzero_vectors(direction, "direction")
     place = finite_number(latitude, "latitude")
-    motion = table_trajectory(
+    motion = turntable_trajectory(
         checked_instance(scheme, Scheme, "scheme"), place, INTERVAL, multiple_of=2
     )
     steps = len(motion.increments.angle) // 2
@@ -119,7 +121,7 @@ def equivalent_start(
     inertial = inertial_attitude(motion, right)
     tilts = [
         np.linalg.norm(attitude_error(computed_attitude(motion, part, right), inertial), axis=-1)
-        for part in decompose(whole)
+        for part in split_error_matrix(whole)
     ]
     vector = misalignment_vector(whole)
     tilts.append(np.linalg.norm(rotate(inertial, vector) - rotate(right, vector), axis=-1))
@@ -161,21 +163,23 @@ def inertial_attitude(motion: Trajectory, start: FloatArray) -> FloatArray:
     return integrate(motion.increments.angle, "two-step-4", start=start)
 
 
-def computed_attitude(motion: Trajectory, gyro_error: FloatArray, start: FloatArray) -> FloatArray:
+def computed_attitude(
+    motion: Trajectory, gyro_error_matrix: FloatArray, start: FloatArray
+) -> FloatArray:
     """Attitude (n, 4) that a unit computes whose gyros have an error matrix (3, 3).
 
     Like that of `inertial_attitude`, it is against axes that do not turn with the Earth.
     """
-    measured = measure(motion.increments, NO_ERRORS._replace(gyro_error=gyro_error))
+    measured = measure(motion.increments, NO_ERRORS._replace(gyro_error_matrix=gyro_error_matrix))
     return integrate(measured.angle, "two-step-4", start=start)
 
 
 def _navigated(
-    motion: Trajectory, latitude: float, gyro_error: FloatArray, accelerometer_error: FloatArray,
-    start: FloatArray,
+    motion: Trajectory, latitude: float, gyro_error_matrix: FloatArray,
+    accelerometer_error_matrix: FloatArray, start: FloatArray,
 ) -> Navigation:  # fmt: skip
-    imu_errors = ImuErrors(np.zeros(3), gyro_error, np.zeros(3), accelerometer_error)
-    return navigate(at_rest(latitude, start), measure(motion.increments, imu_errors))
+    imu_errors = ImuErrors(np.zeros(3), gyro_error_matrix, np.zeros(3), accelerometer_error_matrix)
+    return navigate(stationary_state(latitude, start), measure(motion.increments, imu_errors))
 
 
 def _left(motion: Trajectory, latitude: float, vector: FloatArray) -> tuple[float, float, float]:

@@ -7,12 +7,14 @@ from driftlab.body_frames import change_body_frame, misalignment_vector
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import finite_array
 from driftlab.quaternion import from_rotation_vector, rotate
-from driftlab.triad import decompose
+from driftlab.triad import split_error_matrix
 
 
-def two_laboratories(gyro_error: ArrayLike, bracket: ArrayLike, moments: int = 181) -> DataTable:
+def two_laboratories(
+    gyro_error_matrix: ArrayLike, bracket: ArrayLike, moments: int = 181
+) -> DataTable:
     """Turn a unit in its mounting, and measure it all along; Wu (37)-(42)."""
-    in_a = finite_array(gyro_error, "gyro_error", 3, 3)
+    in_a = finite_array(gyro_error_matrix, "gyro_error_matrix", 3, 3)
     turned = finite_array(bracket, "bracket", 3)
     share = np.linspace(0.0, 1.0, moments)
     turns = from_rotation_vector(share[:, np.newaxis] * turned)
@@ -25,13 +27,13 @@ def two_laboratories(gyro_error: ArrayLike, bracket: ArrayLike, moments: int = 1
         {
             "share": (share, "", "part of the bracket's rotation, 0 as in laboratory A, to 1"),
             "misalignment": (misalignment_vector(in_b), "arcsec", "of the report, about x, y, z"),
-            "non_orthogonality": (decompose(in_b).non_orthogonality[pairs], "arcsec",
+            "non_orthogonality": (split_error_matrix(in_b).non_orthogonality[pairs], "arcsec",
                                   "of the report, xy, xz, yz"),
             "lack_of_square": (np.arcsin((triad @ np.swapaxes(triad, -1, -2))[pairs]), "arcsec",
                                "of the sensitive axes xy, xz, yz, exact"),
         },
         {
-            "gyro_error": (in_a, "", "error matrix K in laboratory A"),
+            "gyro_error_matrix": (in_a, "", "error matrix K in laboratory A"),
             "bracket": (turned, "arcsec", "rotation of the table's axes against those of A"),
             "reported": (in_b, "", "error matrices K in laboratory B"),
         },

@@ -55,7 +55,7 @@ class SplitExplorer(Explorer):
         for row, column in PLACES
     )
     presets: ClassVar = {
-        "Typical unit": _entries(TYPICAL_ERRORS.gyro_error),
+        "Typical unit": _entries(TYPICAL_ERRORS.gyro_error_matrix),
         "One gyro leans": {"kxy": 80.0},
         "Turned as a whole": {"kxy": -80.0, "kyx": 80.0},
         "Two gyros close up": {"kxy": 80.0, "kyx": 80.0},
@@ -97,10 +97,10 @@ class SplitExplorer(Explorer):
             "import numpy as np\n"
             "from scipy.constants import arcsecond, micro\n"
             "from driftlab.body_frames import misalignment_vector\n"
-            "from driftlab.triad import decompose\n"
+            "from driftlab.triad import split_error_matrix\n"
             "unit = np.where(np.eye(3, dtype=bool), micro, arcsecond)\n"
             f"matrix = unit * np.array({rows})\n"
-            "scale, non_orthogonality, misalignment = decompose(matrix)\n"
+            "scale, non_orthogonality, misalignment = split_error_matrix(matrix)\n"
             "print(misalignment_vector(matrix) / arcsecond)"
         )
 

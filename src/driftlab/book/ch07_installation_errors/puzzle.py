@@ -17,7 +17,9 @@ def numbers_alike() -> float:
     """How many of the eighteen entries both laboratories report."""
     turned = from_rotation_vector(np.array([30.0, -15.0, 25.0]) * arcsecond)
     bracket = rotate(turned, np.eye(3))
-    matrices = np.array([TYPICAL_ERRORS.gyro_error, TYPICAL_ERRORS.accelerometer_error])
+    matrices = np.array(
+        [TYPICAL_ERRORS.gyro_error_matrix, TYPICAL_ERRORS.accelerometer_error_matrix]
+    )
     other = np.array([change_body_frame(matrix, bracket) for matrix in matrices])
     return float(np.count_nonzero(np.abs(matrices - other) < SEEN))
 

@@ -70,14 +70,14 @@ class LaboratoriesView(SceneView):
             views=(
                 View(
                     f"laboratory A, leans × {MAGNIFICATION}",
-                    (*table_parts(), *unit_parts(data.gyro_error, "", handles=True)),
+                    (*table_parts(), *unit_parts(data.gyro_error_matrix, "", handles=True)),
                     azimuth=AZIMUTH,
                 ),
                 View(
                     f"laboratory B, leans × {MAGNIFICATION}",
                     (
                         *table_parts(),
-                        *unit_parts(data.gyro_error, "unit"),
+                        *unit_parts(data.gyro_error_matrix, "unit"),
                         *mounting_parts(attitude[-1]),
                     ),
                     azimuth=AZIMUTH,
@@ -111,9 +111,11 @@ def table_parts() -> tuple[Part, ...]:
     return (Part("face", circle((0.0, 0.0, 1.0), 1.1, -0.75), "ground"), *edges)
 
 
-def unit_parts(gyro_error: FloatArray, track: str, *, handles: bool = False) -> tuple[Part, ...]:
+def unit_parts(
+    gyro_error_matrix: FloatArray, track: str, *, handles: bool = False
+) -> tuple[Part, ...]:
     """The unit with its sensitive axes, bent too much."""
-    triad = np.eye(3) + MAGNIFICATION * gyro_error
+    triad = np.eye(3) + MAGNIFICATION * gyro_error_matrix
     tips = LENGTH * triad / np.linalg.norm(triad, axis=1, keepdims=True)
     gyros = [
         part
@@ -195,7 +197,7 @@ class TwoTables(SceneExplorer):
         )
 
     def call(self, values: Values) -> str:
-        rows = np.round(self.compute(values).gyro_error / arcsecond, 6).tolist()
+        rows = np.round(self.compute(values).gyro_error_matrix / arcsecond, 6).tolist()
         turn = [values[c.name] for c in BRACKET]
         return (
             "import numpy as np\n"

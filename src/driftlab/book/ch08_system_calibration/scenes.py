@@ -82,8 +82,8 @@ def known_plot(run: DataTable, kind: str) -> Plot:
     """Deviations of the errors of one kind, over as many decades for each scheme."""
     states = states_of(kind, run.names)
     size, sign = UNITS[state_unit(kind)]
-    values = np.log10(run.deviations[:, states] / size)
-    usual = np.log10(scheme_run().deviations[:, states] / size)
+    values = np.log10(run.standard_deviations[:, states] / size)
+    usual = np.log10(scheme_run().standard_deviations[:, states] / size)
     low, high = min(values.min(), usual.min()), max(values.max(), usual.max())
     margin = 0.05 * (high - low)
     curves = (
@@ -166,7 +166,7 @@ class TurningTable(SceneExplorer):
 
     def numbers(self, data: Known) -> Results:
         run, *kinds = data
-        before, after = run.deviations[0, 6:], run.deviations[-1, 6:]
+        before, after = run.standard_deviations[0, 6:], run.standard_deviations[-1, 6:]
         known = int(np.sum(after < 0.1 * before))
         rows = []
         for kind in kinds:
@@ -186,12 +186,14 @@ class TurningTable(SceneExplorer):
         scheme = PLAYED[values["scheme"]]
         return (
             "import numpy as np\n"
-            "from driftlab.calibration import ERROR_MODELS, deviation_history, linearize_along\n"
-            "from driftlab.imu import ImuNoise, PriorDeviations\n"
+            "from driftlab.calibration import (\n"
+            "    ERROR_MODELS, linearize_along, standard_deviation_history\n"
+            ")\n"
+            "from driftlab.imu import ImuNoise, PriorStandardDeviations\n"
             "from driftlab.motion import Scheme\n"
             f"scheme = Scheme({scheme.rotations!r}, {scheme.start}, dwell={scheme.dwell})\n"
             f"way = linearize_along(scheme, {TABLE_LATITUDE:.9f}, ERROR_MODELS['averaged'])\n"
-            "deviations = deviation_history(way, ImuNoise(), PriorDeviations())\n"
+            "deviations = standard_deviation_history(way, ImuNoise(), PriorStandardDeviations())\n"
             f"i = [name.startswith({values['gyro']!r}) for name in way.model.names]\n"
             "print(deviations[0, i], deviations[-1, i])  # in SI units"
         )

@@ -19,7 +19,7 @@ from driftlab.book.machinery.panel.sensor_controls import (
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship_manoeuvre
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.noise import GyroNoise
-from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 from driftlab.gyrocompass.type_test import COARSE, LIMITS, Gyrocompass, TypeTest, marine_type_test
 
 from .experiments import GYRO_BIAS, TUNING_FACTORS, error_table
@@ -75,13 +75,13 @@ class GyrocompassExplorer(Explorer):
         latitude, course, turn = (
             float(np.radians(values[name])) for name in ("latitude", "course", "turn")
         )
-        run = simulate_compass(
+        run = simulate_gyrocompass(
             ship_manoeuvre(latitude, values["speed"], course, turn),
             gyro_biases(values),
             tuning_factor=values["tuning"],
             damping=values["damping"],
             tilt=values["tilt"] * arcminute,
-            log=values["log"],
+            speed_log=values["log"],
         )
         return error_table(run)
 
@@ -108,13 +108,13 @@ class GyrocompassExplorer(Explorer):
             "import numpy as np\n"
             "from scipy.constants import arcminute, degree, hour\n"
             "from driftlab.book.scenarios import ship_manoeuvre\n"
-            "from driftlab.gyrocompass import simulate_compass\n"
+            "from driftlab.gyrocompass import simulate_gyrocompass\n"
             f"{gyro_bias_code(values)}"
             f"latitude, course, turn = np.radians([{latitude}, {course}, {turn}])\n"
             f"way = ship_manoeuvre(latitude, {speed}, course, turn)\n"
-            f"run = simulate_compass(way, gyro_bias, tuning_factor={values['tuning']},\n"
+            f"run = simulate_gyrocompass(way, gyro_bias, tuning_factor={values['tuning']},\n"
             f"    damping={values['damping']}, tilt={values['tilt']} * arcminute,\n"
-            f"    log={values['log']})\n"
+            f"    speed_log={values['log']})\n"
             "print(np.degrees(run.heading_error[-1]), np.degrees(run.formula.heading[-1]))"
         )
 
@@ -142,7 +142,7 @@ class TypeTestExplorer(Explorer):
         Control("drift", "lasting drift, °/h", 0.05,
                 stops=(0.0, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0),
                 group="level gyros"),
-        Control("slow", "at each start, °/h", 0.01,
+        Control("gauss_markov", "at each start, °/h", 0.01,
                 stops=(0.0, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0), group="level gyros"),
         Control("walk", "random walk, °/√h", 0.0003,
                 stops=(0.0, 0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3), group="level gyros"),
@@ -159,8 +159,8 @@ class TypeTestExplorer(Explorer):
         "80 degrees North": {"latitude": 80.0},
         "Damped without a log": {"damping": 0.5},
         "Damped by a log": {"damping": 0.5, "log": True},
-        "A tactical gyro": {"drift": 1.0, "slow": 0.3, "walk": 0.03},
-        "A MEMS gyro": {"drift": 10.0, "slow": 3.0, "walk": 0.3},
+        "A tactical gyro": {"drift": 1.0, "gauss_markov": 0.3, "walk": 0.03},
+        "A MEMS gyro": {"drift": 10.0, "gauss_markov": 3.0, "walk": 0.3},
     }
     look_for: ClassVar = {
         "The paper's compass": "Move the latitude alone. Which bars stay, and which grow?",
@@ -173,14 +173,14 @@ class TypeTestExplorer(Explorer):
 
     def compute(self, values: Values) -> TypeTest:
         noise = GyroNoise(
-            white=values["walk"] * degree / np.sqrt(hour), slow=values["slow"] * degree / hour,
-            interval=1.0,
+            white=values["walk"] * degree / np.sqrt(hour),
+            gauss_markov=values["gauss_markov"] * degree / hour, interval=1.0,
         )  # fmt: skip
         compass = Gyrocompass(
             gyro_bias=(0.0, 0.0, values["drift"] * degree / hour),
             gyro_noise=noise,
             damping=values["damping"],
-            log=values["log"],
+            speed_log=values["log"],
             alignment_time=values["alignment"] * minute,
         )
         latitude, speed = float(np.radians(values["latitude"])), values["speed"] * knot
@@ -212,9 +212,9 @@ class TypeTestExplorer(Explorer):
             "from scipy.constants import degree, hour, knot, minute\n"
             "from driftlab.gyrocompass import COARSE, Gyrocompass, GyroNoise, marine_type_test\n"
             f"noise = GyroNoise(white={values['walk']} * degree / np.sqrt(hour),\n"
-            f"    slow={values['slow']} * degree / hour, interval=1.0)\n"
+            f"    gauss_markov={values['gauss_markov']} * degree / hour, interval=1.0)\n"
             f"compass = Gyrocompass((0.0, 0.0, {values['drift']} * degree / hour), noise,\n"
-            f"    damping={values['damping']}, log={values['log']},\n"
+            f"    damping={values['damping']}, speed_log={values['log']},\n"
             f"    alignment_time={values['alignment']} * minute)\n"
             f"found = marine_type_test(compass, np.radians({values['latitude']}),\n"
             f"    speed={values['speed']} * knot, steps=COARSE)\n"

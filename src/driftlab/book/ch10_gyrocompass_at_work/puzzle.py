@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 from scipy.constants import arcminute
 
-from driftlab.gyrocompass import simulate_compass
+from driftlab.gyrocompass import simulate_gyrocompass
 
 from ..machinery.exercise.puzzle import Number, Puzzle
 from ..scenarios import SPEED_UP, ship_manoeuvre
@@ -15,7 +15,7 @@ from ..scenarios import SPEED_UP, ship_manoeuvre
 def after_gathering_way() -> tuple[float, float]:
     """How far the horizon (arc minutes) and the heading shown (degrees) are off by then."""
     way = ship_manoeuvre(speed=10.0, turn=0.0)
-    run = simulate_compass(way, gyro_bias_body=np.zeros(3))
+    run = simulate_gyrocompass(way, gyro_bias_body=np.zeros(3))
     after = np.searchsorted(run.times, sum(SPEED_UP))
     shown = run.heading_error + run.speed_error
     horizon = np.abs(run.tilt[after]).max() / arcminute

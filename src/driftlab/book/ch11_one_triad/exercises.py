@@ -13,9 +13,9 @@ from driftlab.book.machinery.exercise.given_numbers import GivenNumbers
 from driftlab.book.machinery.exercise.reading import slider
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE as LATITUDE, SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
-from driftlab.drift.systematic_drift import drift_per_turn
+from driftlab.drift.systematic_drift import drift_per_revolution
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 from driftlab.motion.vehicle import smooth_step, vehicle_trajectory
 
 from .experiments import (
@@ -56,7 +56,7 @@ def _steps(latitude: float) -> FloatArray:
     headings = np.radians(np.arange(0.0, 360.0))
     aligned = aligned_heading_error(PUZZLE, headings, latitude)
     gain = np.sqrt(gravity(latitude) / EARTH_RADIUS) / (EARTH_RATE * np.cos(latitude))
-    largest = [np.abs(part).max() for part in (drift_per_turn(AXES, PUZZLE), aligned)]
+    largest = [np.abs(part).max() for part in (drift_per_revolution(AXES, PUZZLE), aligned)]
     return np.array([*largest, gain * _east(PUZZLE, QUARTER_TURN)])
 
 
@@ -95,7 +95,7 @@ def _after_turns(count: int, gap: float) -> float:
     way = vehicle_trajectory(
         LATITUDE, np.zeros((len(times), 2)), QUARTER_TURN * np.asarray(turned), interval=interval
     )
-    run = simulate_compass(way, way.increments.mean_rate @ PUZZLE.T, log=True)
+    run = simulate_gyrocompass(way, way.increments.mean_rate @ PUZZLE.T, speed_log=True)
     swing = (run.times > last) & (run.times <= last + SCHULER_PERIOD)
     return float(np.abs(run.heading_error[swing]).max())
 

@@ -12,20 +12,20 @@ from driftlab.body_frames import misalignment_vector
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, TABLE_LATITUDE, ship_manoeuvre
 from driftlab.calibration.calibration_history import Calibration
-from driftlab.calibration.simulation import TableTrial
+from driftlab.calibration.simulation import TurntableTrial
 from driftlab.checks import FloatArray, finite_array, finite_number
 from driftlab.drift.recorded_turns import recorded_turn_estimate
-from driftlab.drift.systematic_drift import drift_per_turn
+from driftlab.drift.systematic_drift import drift_per_revolution
 from driftlab.drift.weighing_designs import PAIR_AXES, TurnFit, fit_turns
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors
-from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors, ImuNoise
 from driftlab.increments import Increments, measure
-from driftlab.motion.table_turn import TableTurn
+from driftlab.motion.turntable_rotation import TurntableRotation
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import rotate
-from driftlab.triad import decompose
+from driftlab.triad import split_error_matrix
 from driftlab.vectors import cross_matrix
 
 STAGES = ("as built", "after turns", "after the filter")
@@ -40,7 +40,9 @@ MISALIGNMENT: FloatArray = np.array([20.0, 25.0, 20.0]) * arcsecond
 AXES: FloatArray = np.vstack([np.eye(3), PAIR_AXES])
 """Axes of the drift per turn: forward, up, right, and between each two."""
 AXIS_NAMES = ("f", "u", "r", "f+u", "f+r", "u+r")
-TURNS = tuple(TableTurn(sense * 2 * np.pi / 36, latitude=TABLE_LATITUDE) for sense in (1, -1))
+TURNS = tuple(
+    TurntableRotation(sense * 2 * np.pi / 36, latitude=TABLE_LATITUDE) for sense in (1, -1)
+)
 """A turn in each sense on the table of the filter's calibration; 36 s, or 10 degrees a second."""
 TURN_SAMPLES = 180
 """Increments of a turn, one each 2 degrees."""
@@ -61,7 +63,7 @@ def bent_triad(non_orthogonality: ArrayLike, misalignment: ArrayLike) -> FloatAr
 
 def pairs_and_turn(matrix: FloatArray) -> FloatArray:
     """Return pairs xy, xz, yz and turn about x, y, z (6,) of an error matrix (3, 3), rad."""
-    pairs = decompose(matrix).non_orthogonality[[0, 0, 1], [1, 2, 2]]
+    pairs = split_error_matrix(matrix).non_orthogonality[[0, 0, 1], [1, 2, 2]]
     return np.append(pairs, misalignment_vector(matrix))
 
 
@@ -70,7 +72,9 @@ def bent_unit(bent: FloatArray) -> ImuErrors:
 
     Its accelerometers are square to each other and say how the axes of the body lie.
     """
-    return TYPICAL_ERRORS._replace(gyro_error=bent, accelerometer_error=np.zeros((3, 3)))
+    return TYPICAL_ERRORS._replace(
+        gyro_error_matrix=bent, accelerometer_error_matrix=np.zeros((3, 3))
+    )
 
 
 @cache
@@ -94,7 +98,7 @@ def found_by_turns(bent: FloatArray) -> TurnFit:
     """Return what twelve turns show: the pairs xy, xz, yz, scale factors, biases, and the Earth."""
     rates = [turn.mean_rate for turn in TURNS]
     return fit_turns(
-        turn_estimates(bent, noise=ImuNoise()).ravel(), np.tile(AXES, (2, 1)), scale="each",
+        turn_estimates(bent, noise=ImuNoise()).ravel(), np.tile(AXES, (2, 1)), scale_factor="each",
         table_rates=np.repeat(rates, len(AXES)), gyro_bias=True, earth_rate="unknown",
     )  # fmt: skip
 
@@ -102,7 +106,7 @@ def found_by_turns(bent: FloatArray) -> TurnFit:
 @cache
 def filter_calibration() -> Calibration:
     """Calibrate the default triad by the filter, in axes that the accelerometers fix."""
-    trial = TableTrial(latitude=TABLE_LATITUDE, frame="accelerometers", sample_interval=0.1)
+    trial = TurntableTrial(latitude=TABLE_LATITUDE, frame="accelerometers", sample_interval=0.1)
     unit = bent_unit(bent_triad(NON_ORTHOGONALITY, MISALIGNMENT))
     return trial.run(np.random.default_rng(SEED), imu_errors=unit).calibration
 
@@ -114,7 +118,7 @@ def filter_leftover() -> FloatArray:
     The noise it leaves does not depend on the bend to first order, so other bends get the same.
     """
     true = bent_triad(NON_ORTHOGONALITY, MISALIGNMENT)
-    leftover: FloatArray = filter_calibration().imu_errors.gyro_error - true
+    leftover: FloatArray = filter_calibration().imu_errors.gyro_error_matrix - true
     leftover.setflags(write=False)
     return leftover
 
@@ -145,7 +149,10 @@ def pair_deviations() -> tuple[FloatArray, FloatArray]:
 
 
 def aligned_heading_error(
-    gyro_error: FloatArray, headings: FloatArray, latitude: float, drift: FloatArray | float = 0.0
+    gyro_error_matrix: FloatArray,
+    headings: FloatArray,
+    latitude: float,
+    drift: FloatArray | float = 0.0,
 ) -> FloatArray:
     """Return heading errors (..., n) of an aligned level compass, rad; (alignment heading).
 
@@ -153,7 +160,7 @@ def aligned_heading_error(
     """
     attitude = from_euler_angles(headings, 0.0, 0.0)
     rate, _ = static_imu(attitude, latitude)
-    drifts = rotate(attitude, rate @ np.swapaxes(gyro_error, -1, -2) + drift)
+    drifts = rotate(attitude, rate @ np.swapaxes(gyro_error_matrix, -1, -2) + drift)
     return alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
 
 
@@ -179,7 +186,7 @@ def calibration_stages(
     headings = np.radians(np.arange(-180.0, 180.1, 10.0))
     way = ship_manoeuvre(latitude, turn=turn, interval=interval)
     rates = way.increments.mean_rate
-    run = simulate_compass(way, rates @ np.swapaxes(left, -1, -2) + shaken, log=True)
+    run = simulate_gyrocompass(way, rates @ np.swapaxes(left, -1, -2) + shaken, speed_log=True)
     # Turns say nothing of the misalignment.
     by_turns = np.append(pairs_and_turn(bent - left[1])[:3], [np.nan] * 3)
     known = np.stack([pairs_and_turn(bent), by_turns, pairs_and_turn(bent - left[2])])
@@ -188,7 +195,9 @@ def calibration_stages(
             "part": (PARTS, "", "pair of axes, or axis of a turn of the triad"),
             "bend": (known, "arcsec", "of the triad", FOUND),
             "axis": (AXIS_NAMES, "", "of a turn"),
-            "drift": (drift_per_turn(AXES, left[:, np.newaxis]), "arcsec", "in one turn", STAGES),
+            "drift": (
+                drift_per_revolution(AXES, left[:, np.newaxis]), "arcsec", "in one turn", STAGES
+            ),
             "headings": (headings, "deg", "of the ship during alignment"),
             "aligned_error": (aligned_heading_error(left, headings, latitude, shaken), "arcmin",
                               "heading error after it", STAGES),

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.constants import arcsecond, minute
 
-from driftlab.gyrocompass import simulate_compass
+from driftlab.gyrocompass import simulate_gyrocompass
 
 from ..machinery.exercise.puzzle import Number, Puzzle
 from ..scenarios import TURN, ship_manoeuvre
@@ -16,7 +16,7 @@ def heading_error() -> float:
     leaning = np.zeros((3, 3))
     leaning[0, 1] = -LEAN  # the forward gyro feels a little of the turn about Up
     way = ship_manoeuvre(speed=0.0, turn=np.radians(90.0))
-    run = simulate_compass(way, way.increments.mean_rate @ leaning.T, log=True)
+    run = simulate_gyrocompass(way, way.increments.mean_rate @ leaning.T, speed_log=True)
     here = np.searchsorted(run.times, sum(TURN) + 30 * minute)
     return float(abs(run.heading_error[here])) / arcsecond
 

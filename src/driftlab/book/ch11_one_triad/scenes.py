@@ -124,9 +124,9 @@ def triad_parts(bent: FloatArray, known: FloatArray) -> tuple[Part, ...]:
     )
 
 
-def tips_of(gyro_error: FloatArray) -> FloatArray:
+def tips_of(gyro_error_matrix: FloatArray) -> FloatArray:
     """Tips (3, 3) of arrows along the gyros' axes, leans magnified, in the scene's axes."""
-    axes = np.eye(3) + LEAN_FACTOR * gyro_error
+    axes = np.eye(3) + LEAN_FACTOR * gyro_error_matrix
     return LENGTH * (axes / np.linalg.norm(axes, axis=1, keepdims=True))[:, TO_SCENE]
 
 

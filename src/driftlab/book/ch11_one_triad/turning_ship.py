@@ -12,7 +12,7 @@ from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 
 
 def turning_ship(
-    gyro_error: FloatArray,
+    gyro_error_matrix: FloatArray,
     *,
     speed: float = 0.0,
     turn: float = QUARTER_TURN,
@@ -25,8 +25,10 @@ def turning_ship(
     `ship_with_compass`.
     """
     way = ship_manoeuvre(latitude, speed, turn=turn)
-    gyro_bias = way.increments.mean_rate @ gyro_error.T
-    return ship_with_compass(speed, 0.0, turn, gyro_bias, log=True, latitude=latitude, seen=seen)
+    gyro_bias = way.increments.mean_rate @ gyro_error_matrix.T
+    return ship_with_compass(
+        speed, 0.0, turn, gyro_bias, speed_log=True, latitude=latitude, seen=seen
+    )
 
 
 def swing_factor(latitude: float = SARATOV_LATITUDE, east_speed: float = 0.0) -> float:

@@ -27,7 +27,7 @@ _MOST_POINTS = 3000
 def turns_picture(
     increments: FloatArray,
     interval: float,
-    rests: FloatArray,
+    static_intervals: FloatArray,
     turns: Sequence[HandTurn],
     near: Sequence[NearTurn] = (),
 ) -> PublishedFigure:
@@ -38,7 +38,7 @@ def turns_picture(
     """
     step = max(1, len(increments) // _MOST_POINTS)
     seconds = interval * np.arange(len(increments), dtype=np.float64)[::step]
-    begin, end = interval * np.asarray(rests, dtype=float).T
+    begin, end = interval * np.asarray(static_intervals, dtype=float).T
     moves: list[HandTurn | NearTurn] = [*turns, *near]
     spans = np.array([_span(move) for move in moves]).reshape(-1, 2)
     table = DataTable(
@@ -141,7 +141,7 @@ def stop_sentence(fit: HandTurnFit) -> str:
     if fit.degrees_of_freedom == 0:
         return "no turn more than unknowns: how well you stop cannot be told"
     return (
-        f"you stop to ± {fit.stop_deviation / degree:.2f}° (one standard deviation)\n"
+        f"you stop to ± {fit.stop_standard_deviation / degree:.2f}° (one standard deviation)\n"
         f"turns more than unknowns: {fit.degrees_of_freedom}"
     )
 

@@ -41,21 +41,23 @@ class RestRates(NamedTuple):
         return np.array([rates[:, axis].mean() for axis, rates in pairs])
 
     @property
-    def offset_deviation(self) -> FloatArray:
+    def offset_standard_deviation(self) -> FloatArray:
         """Standard deviations of `offset`, rad/s: shape (j,)."""
         return self.deviation / np.sqrt([len(rates) for rates in self.rates])
 
     def half_widths(self) -> FloatArray:
         """Halves of the intervals in which each offset lies with 95 %, rad/s: shape (j,)."""
-        widths: FloatArray = stdtrit(self.degrees_of_freedom, 0.975) * self.offset_deviation
+        widths: FloatArray = (
+            stdtrit(self.degrees_of_freedom, 0.975) * self.offset_standard_deviation
+        )
         return widths
 
 
 def rest_rates(
-    increments: FloatArray, interval: float, rests: FloatArray, turns: Sequence[HandTurn]
+    increments: FloatArray, interval: float, static_intervals: FloatArray, turns: Sequence[HandTurn]
 ) -> RestRates:
     """Take from a log what its gyros say in the rests that turns begin and end in."""
-    begin, end = np.asarray(rests).T
+    begin, end = np.asarray(static_intervals).T
     axes = tuple(sorted({turn.axis for turn in turns}))
     of_axis = []
     for axis in axes:
@@ -86,7 +88,7 @@ def chance_of_two_ways(fit: HandTurnFit, at_rest: RestRates) -> float:
     """
     if fit.degrees_of_freedom == 0:
         return float("nan")
-    by_turns, by_rests = fit.offset_deviation**2, at_rest.offset_deviation**2
+    by_turns, by_rests = fit.offset_standard_deviation**2, at_rest.offset_standard_deviation**2
     variance = by_turns + by_rests
     spread = by_turns**2 / fit.degrees_of_freedom + by_rests**2 / at_rest.degrees_of_freedom
     freedom = np.mean(variance**2 / spread)

@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray, positive_number, whole_number
-from driftlab.drift.closed_motion import drift_per_motion
+from driftlab.drift.closed_motion import drift_per_cycle
 from driftlab.drift.systematic_drift import principal_drifts
 from driftlab.motion import Coning
 from driftlab.quaternion import (
@@ -30,7 +30,7 @@ THIN = 3
 
 
 def closed_motions(
-    increments: int = 360, triad_error: ArrayLike = LARIN_TRIAD, half_angle: float = SWING
+    increments: int = 360, error_matrix: ArrayLike = LARIN_TRIAD, half_angle: float = SWING
 ) -> dict[str, FloatArray]:
     """Four motions that bring a body back, by name, as true angle increments (increments, 3), rad.
 
@@ -41,7 +41,7 @@ def closed_motions(
     count = whole_number(increments, "increments", least=6)
     if count % 6:
         raise ValueError(f"increments: expected a multiple of six, got {increments!r}.")
-    worst = principal_drifts(triad_error)[1][-1]
+    worst = principal_drifts(error_matrix)[1][-1]
     reach = positive_number(half_angle, "half_angle")
     angle = reach * np.sin(2 * np.pi * np.arange(count + 1) / count)
     quarters = np.tile(np.eye(3)[[0, 2]], (3, 1)) * np.pi / 2
@@ -54,20 +54,20 @@ def closed_motions(
 
 
 def motion_histories(
-    triad_error: ArrayLike = LARIN_TRIAD, half_angle: float = SWING, repeats: int = REPEATS
+    error_matrix: ArrayLike = LARIN_TRIAD, half_angle: float = SWING, repeats: int = REPEATS
 ) -> DataTable:
     """Exact error of a triad over each of the `closed_motions`, with the drift of first order."""
     count = whole_number(repeats, "repeats")
     angle, track, drift = {}, {}, {}
-    for name, once in closed_motions(PLACES, triad_error, half_angle).items():
+    for name, once in closed_motions(PLACES, error_matrix, half_angle).items():
         true = np.vstack([np.zeros(3), np.tile(once, (count, 1))])
         attitude, apparent = (
             cumulative_product(from_rotation_vector(turns))[::THIN]
-            for turns in (true, measured_rate(true, triad_error))
+            for turns in (true, measured_rate(true, error_matrix))
         )
         angle[name] = rotation_angle(multiply(conjugate(attitude), apparent))
         track[name] = rotate(attitude[: PLACES // THIN + 1], np.array([0.0, 0, 1]))
-        drift[name] = float(np.linalg.norm(drift_per_motion(once, triad_error)))
+        drift[name] = float(np.linalg.norm(drift_per_cycle(once, error_matrix)))
     motions = np.arange(0, count * PLACES + 1, THIN) / PLACES
     ends = np.array([0.0, count])
     first_order = {name: each * ends for name, each in drift.items()}

@@ -7,7 +7,11 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SKEW, SYMMETRIC
 from driftlab.checks import FloatArray, finite_array, nonzero_vectors, positive_number, whole_number
 from driftlab.drift.error_kinematics import error_quaternion
-from driftlab.drift.systematic_drift import drift_coefficient, drift_per_turn, principal_drifts
+from driftlab.drift.systematic_drift import (
+    drift_coefficient,
+    drift_per_revolution,
+    principal_drifts,
+)
 from driftlab.quaternion import to_rotation_vector
 from driftlab.triad import measured_rate
 from driftlab.vectors import direction_from_angles
@@ -23,7 +27,7 @@ ACROSS: FloatArray = np.array([1.0, -1, 0]) / np.sqrt(2)
 
 
 def drift_history(
-    triad_error: ArrayLike = LARGEST_ENTRY * SYMMETRIC,
+    error_matrix: ArrayLike = LARGEST_ENTRY * SYMMETRIC,
     direction: ArrayLike = OBLIQUE_AXIS,
     samples_per_turn: int = 60,
     turns: int = TURNS,
@@ -34,17 +38,17 @@ def drift_history(
     count = whole_number(turns, "turns")
     factor = positive_number(exaggeration, "exaggeration")
     n, _ = nonzero_vectors(direction, "direction")
-    triad_error = finite_array(triad_error, "triad_error", 3, 3)
-    measured = measured_rate(n, triad_error)
+    error_matrix = finite_array(error_matrix, "error_matrix", 3, 3)
+    measured = measured_rate(n, error_matrix)
     # At unit rate, one turn takes 2 pi seconds.
     time = 2 * np.pi * np.arange(count * samples + 1) / samples
     error = to_rotation_vector(error_quaternion(n, measured, time))
-    coefficients, axes = principal_drifts(triad_error, exact=True)
+    coefficients, axes = principal_drifts(error_matrix, exact=True)
     worst = np.abs(coefficients).argmax()
     along = error @ n
     across = np.linalg.norm(error - along[:, np.newaxis] * n, axis=-1)
     whole_turns = np.arange(count + 1.0)
-    per_turn = float(2 * np.pi * drift_coefficient(n, triad_error))
+    per_turn = float(2 * np.pi * drift_coefficient(n, error_matrix))
     return DataTable(
         {
             "turns": (time / (2 * np.pi), "", "how far the body has turned"),
@@ -57,10 +61,10 @@ def drift_history(
             "error": (error, "rad", "rotation vector from R to B"),
             "direction": (n, "", "unit axis of the turns"),
             "samples_per_turn": (samples, "", "rows in one turn"),
-            "triad": (np.eye(3) + factor * triad_error, "", "sensitive axes as rows, exaggerated"),
+            "triad": (np.eye(3) + factor * error_matrix, "", "sensitive axes as rows, exaggerated"),
             "exaggeration": (factor, "", "exaggeration of the triad"),
             "exact_per_turn": (
-                float(drift_per_turn(n, triad_error)), "arcmin", "drift in one turn"
+                float(drift_per_revolution(n, error_matrix)), "arcmin", "drift in one turn"
             ),
             "first_order_per_turn": (per_turn, "arcmin", "to first order"),
             "worst_per_turn": (
@@ -98,16 +102,16 @@ def drift_by_symmetry(
         {
             "sizes": (sizes, "", "size of the deformation"),
             "symmetric": (
-                np.abs(drift_per_turn(along, sizes[:, None, None] * even)), "rad",
+                np.abs(drift_per_revolution(along, sizes[:, None, None] * even)), "rad",
                 "drift per turn of the symmetric one about its axis, without sign",
             ),
             "skew": (
-                np.abs(drift_per_turn(across, sizes[:, None, None] * odd)), "rad",
+                np.abs(drift_per_revolution(across, sizes[:, None, None] * odd)), "rad",
                 "drift per turn of the skew one",
             ),
             "mixing": (mixing, "deg", "angle, from the symmetric one to the skew one and on"),
             "mixed_per_size": (
-                drift_per_turn(along, mixture) / size, "",
+                drift_per_revolution(along, mixture) / size, "",
                 "drift per turn, rad, about the axis of the symmetric one, divided by the size",
             ),
             "first_order_per_size": (
@@ -118,13 +122,13 @@ def drift_by_symmetry(
     )  # fmt: skip
 
 
-def drift_map(triad_error: ArrayLike = LARIN_TRIAD) -> DataTable:
+def drift_map(error_matrix: ArrayLike = LARIN_TRIAD) -> DataTable:
     """Drift coefficient for every axis of rotation, and its extremes; Larin (2.2), before (2.6)."""
     azimuth, elevation = np.meshgrid(
         np.radians(np.linspace(-180, 180, 121)), np.radians(np.linspace(-90, 90, 61))
     )
-    coefficient = drift_coefficient(direction_from_angles(azimuth, elevation), triad_error)
-    principal, axes = principal_drifts(triad_error)
+    coefficient = drift_coefficient(direction_from_angles(azimuth, elevation), error_matrix)
+    principal, axes = principal_drifts(error_matrix)
     x, y, z = np.stack([axes, -axes], axis=1).reshape(-1, 3).T
     return DataTable(
         {

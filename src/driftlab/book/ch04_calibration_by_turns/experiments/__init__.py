@@ -5,7 +5,7 @@ from .calibrations import (
     AS_DERIVED as AS_DERIVED,
     PLANS as PLANS,
     SENSES as SENSES,
-    triad_error as triad_error,
+    error_matrix as error_matrix,
     turn_estimates as turn_estimates,
     yates_sigma as yates_sigma,
 )

@@ -10,10 +10,10 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray, finite_array, whole_number
 from driftlab.drift.turn_calibration import TurnExperiment, turn_estimate
-from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing
+from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing_estimate
 from driftlab.imu import NO_ERRORS, ImuErrors
 from driftlab.increments import measure
-from driftlab.motion.table_turn import TableTurn
+from driftlab.motion.turntable_rotation import TurntableRotation
 from driftlab.triad import non_orthogonality
 
 from ..experiment_numbers import SUM_FACTORS
@@ -46,12 +46,12 @@ PLANS = {
 
 
 def turn_estimates(
-    triad_error: ArrayLike = LARIN_TRIAD,
+    error_matrix: ArrayLike = LARIN_TRIAD,
     plan: str = "three pair axes, (3.4)",
     experiment: TurnExperiment = NOISY_TURN,
     seed: int = SEED,
     *,
-    table: TableTurn | None = None,
+    table: TurntableRotation | None = None,
     senses: str = "one",
     gyro_bias: float = 0.0,
     repeats: int = REPEATS,
@@ -62,28 +62,30 @@ def turn_estimates(
     `senses="both"` the table turns both ways, and the mean is taken.
     """
     count = whole_number(repeats, "repeats")
-    triad_error = finite_array(triad_error, "triad_error", 3, 3)
+    error_matrix = finite_array(error_matrix, "error_matrix", 3, 3)
     if plan not in PLANS:
         raise ValueError(f"plan: expected one of {', '.join(PLANS)}, got {plan!r}.")
     if senses not in SENSES:
         raise ValueError(f"senses: expected one of {', '.join(SENSES)}, got {senses!r}.")
     if gyro_bias and table is None:
-        raise ValueError("table: expected a TableTurn, whose rate says what a bias does, got None.")
+        raise ValueError(
+            "table: expected a TurntableRotation, whose rate says what a bias does, got None."
+        )
     axes, method = PLANS[plan]
     different = count if experiment.angle_noise else 1
     repeated = np.broadcast_to(axes, (different, *axes.shape))
     rng = np.random.default_rng(seed)
     if table is None:
-        turned = [experiment.estimate(repeated, triad_error, rng) for _ in SENSES[senses]]
+        turned = [experiment.estimate(repeated, error_matrix, rng) for _ in SENSES[senses]]
     else:
-        unit = NO_ERRORS._replace(gyro_error=triad_error, gyro_bias=np.full(3, gyro_bias))
+        unit = NO_ERRORS._replace(gyro_error_matrix=error_matrix, gyro_bias=np.full(3, gyro_bias))
         turned = [
             _on_table(replace(table, rate=sense * table.rate), experiment, repeated, unit, rng)
             for sense in SENSES[senses]
         ]
     estimates = np.mean(turned, axis=0)
     runs = yates_sigma(estimates) if method == "yates" else fit_turns(estimates, axes, method).sigma
-    sigma = non_orthogonality(triad_error)[..., [0, 0, 1], [1, 2, 2]]
+    sigma = non_orthogonality(error_matrix)[..., [0, 0, 1], [1, 2, 2]]
     every = np.broadcast_to(runs, (count, 3))
     shown = every if np.ptp(every, axis=0).any() else every[:1]  # without noise all runs are one
     names = [f"sigma{i}" for _ in shown for i in (1, 2, 3)]
@@ -104,7 +106,7 @@ def turn_estimates(
 
 
 def _on_table(
-    table: TableTurn,
+    table: TurntableRotation,
     experiment: TurnExperiment,
     axes: FloatArray,
     unit: ImuErrors,
@@ -125,10 +127,10 @@ def yates_sigma(estimates: ArrayLike, sum_factor: float = AS_DERIVED) -> FloatAr
 
     The sum factor multiplies the fourth estimate to give the sum of the sigmas.
     """
-    return weighing(finite_array(estimates, "estimates", 4) * [1, 1, 1, sum_factor])
+    return weighing_estimate(finite_array(estimates, "estimates", 4) * [1, 1, 1, sum_factor])
 
 
-def triad_error(sigma: ArrayLike, skew: float = 0.0, scale: float = 0.0) -> FloatArray:
+def error_matrix(sigma: ArrayLike, skew: float = 0.0, scale: float = 0.0) -> FloatArray:
     """Triad error (3, 3) of a triad with the non-orthogonality [sigma1, sigma2, sigma3].
 
     `skew` is the largest entry of the skew part, a rotation of the whole triad about (1, 1, 0).

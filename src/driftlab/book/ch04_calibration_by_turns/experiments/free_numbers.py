@@ -12,7 +12,7 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment, exact_turn_estimate
-from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, weighing
+from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, weighing_estimate
 
 from ..copied_digits import digit_interval
 from ..experiment_numbers import NAMES, SIGN_RESTORED, SUM_FACTORS, TRIADS, triad_reading
@@ -92,7 +92,7 @@ def factor_bounds(
     comes_out = (low[:3, np.newaxis] <= pairs) & (pairs <= high[:3, np.newaxis])
     whole = np.where(comes_out, np.reshape(within, (2, 1, 1)), np.nan)
     # What sigma4* may be: by its own digits, and by those of each weighing.
-    rest = weighing(np.where(np.arange(4) < 3, estimates, 0)).T
+    rest = weighing_estimate(np.where(np.arange(4) < 3, estimates, 0)).T
     fourth = np.stack([low[3:, np.newaxis], high[3:, np.newaxis]]) + np.zeros_like(own)
     fourth[:, 1:] = 2 * (fourth[:, 1:] - rest)
     with np.errstate(divide="ignore"):  # an estimate of zero: no factor makes a number of it

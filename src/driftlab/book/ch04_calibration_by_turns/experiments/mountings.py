@@ -10,7 +10,7 @@ from driftlab.drift.turn_calibration import turn_estimate
 from driftlab.drift.weighing_designs import YATES_AXES
 from driftlab.imu import NO_ERRORS
 from driftlab.increments import measure
-from driftlab.motion.table_turn import TableTurn
+from driftlab.motion.turntable_rotation import TurntableRotation
 from driftlab.quaternion import (
     conjugate,
     cumulative_product,
@@ -29,18 +29,18 @@ PERIOD = SAMPLES + RESTS + MOVES
 """Moments of a mounting."""
 
 
-def mountings(triad_error: ArrayLike, table: TableTurn) -> DataTable:
+def mountings(error_matrix: ArrayLike, table: TurntableRotation) -> DataTable:
     """Turn a triad about Larin's four axes, and follow its computer; Larin (3.3).
 
     The table makes one even turn, counter-clockwise, about an upright axis. After each turn there
     is a rest, in which the body is mounted for the next one, if any; then the computer starts
     again.
     """
-    bent = finite_array(triad_error, "triad_error", 3, 3)
-    if table != TableTurn(abs(table.rate), latitude=table.latitude):
+    bent = finite_array(error_matrix, "error_matrix", 3, 3)
+    if table != TurntableRotation(abs(table.rate), latitude=table.latitude):
         raise ValueError(f"table: expected one even turn, counter-clockwise, got {table}.")
     turned = table.increments(YATES_AXES, SAMPLES)
-    felt = measure(turned, NO_ERRORS._replace(gyro_error=bent)).angle  # (4, SAMPLES, 3)
+    felt = measure(turned, NO_ERRORS._replace(gyro_error_matrix=bent)).angle  # (4, SAMPLES, 3)
     step = 2 * np.pi / SAMPLES
     true = step * np.arange(1, SAMPLES + 1)[:, np.newaxis] * YATES_AXES[:, np.newaxis]
     relative = np.tile([0.0, 0.0, 0.0, 1.0], (4, SAMPLES + 1, 1))
@@ -92,7 +92,7 @@ def mountings(triad_error: ArrayLike, table: TableTurn) -> DataTable:
             "expected": (drift_coefficient(YATES_AXES, bent), "mrad",
                          "the same to first order in inertial space"),
             "sigma": (non_orthogonality(bent)[[0, 0, 1], [1, 2, 2]], "mrad", "true sigmas"),
-            "triad_error": (bent, "", "of the gyros"),
+            "error_matrix": (bent, "", "of the gyros"),
         },
     )  # fmt: skip
 

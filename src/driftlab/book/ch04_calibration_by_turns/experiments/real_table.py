@@ -9,14 +9,14 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, whole_number
 from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import earth_offset, exact_turn_estimate
+from driftlab.drift.turn_calibration import earth_rate_offset, exact_turn_estimate
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns
 from driftlab.earth import earth_rate
 from driftlab.imu import NO_ERRORS, ImuNoise
 from driftlab.increments import measure
-from driftlab.motion.table_turn import TableTurn
+from driftlab.motion.turntable_rotation import TurntableRotation
 
-from .calibrations import SENSES, triad_error
+from .calibrations import SENSES, error_matrix
 from .turns import SEED
 
 SIGMA_ON_TABLE: FloatArray = np.array([-30.0, 20.0, 30.0]) * arcsecond
@@ -37,7 +37,7 @@ class RealTable:
     latitude: float = 37.5 * degree  # rad
     gyro_bias: float = 0.3 * degree / hour  # of each gyro, rad/s
     common_scale: float = 30 * micro  # scale-factor error of all gyros
-    gyro_scale: float = 5 * micro  # of each gyro besides
+    gyro_scale_factor: float = 5 * micro  # of each gyro besides
     overshoot: float = 5 * arcsecond  # angle by which the table goes too far in every turn, rad
     stopping: float = 1 * arcsecond  # random part of it, rad
     mounting: float = 1 * arcminute  # of the body's axis on the table, each time it is mounted, rad
@@ -47,7 +47,7 @@ class RealTable:
     @property
     def triad(self) -> FloatArray:
         """Triad error (3, 3) without scale factors."""
-        return triad_error(SIGMA_ON_TABLE)
+        return error_matrix(SIGMA_ON_TABLE)
 
 
 def sigmas_by_way(estimates: FloatArray) -> FloatArray:
@@ -72,19 +72,23 @@ def budget(table: RealTable) -> tuple[dict[str, str], FloatArray]:
         for e in _across(n):
             one_mounting = none.copy()
             one_mounting[:, index] = 2 * e @ table.triad @ n
-            one_mounting[:, index] -= e @ TableTurn(1.0).seen_at_start(level, n) / rates[:, index]
+            one_mounting[:, index] -= (
+                e @ TurntableRotation(1.0).components_at_start(level, n) / rates[:, index]
+            )
             mounted.append(one_mounting)
     walk = table.angle_random_walk * np.sqrt(2 * np.pi / table.rate) / (2 * np.pi)
     of_the_method = exact_turn_estimate(YATES_AXES, table.triad)
     of_the_method = of_the_method - drift_coefficient(YATES_AXES, table.triad)
     along = YATES_AXES.T[:, np.newaxis]
     patterns = {
-        "Earth's rate": ([earth_offset(table.latitude, rates)], f"{table.latitude / degree:.3g}°"),
+        "Earth's rate": (
+            [earth_rate_offset(table.latitude, rates)], f"{table.latitude / degree:.3g}°"
+        ),
         "scale factor, all gyros": (
             [table.common_scale * one], f"{table.common_scale / micro:.3g} ppm"
         ),
         "scale factor, each gyro": (
-            table.gyro_scale * along**2 * one, f"{table.gyro_scale / micro:.3g} ppm"
+            table.gyro_scale_factor * along**2 * one, f"{table.gyro_scale_factor / micro:.3g} ppm"
         ),
         "gyro bias": (table.gyro_bias * along / rates,
                       f"{table.gyro_bias / degree * hour:.3g} °/h"),
@@ -118,16 +122,16 @@ def simulated_turns(table: RealTable, runs: int, rng: np.random.Generator) -> Fl
     for run in found:
         tilt = table.tilt * rng.standard_normal(2)
         overshoot = table.overshoot * rng.standard_normal()
-        scales = table.gyro_scale * rng.standard_normal(3)
+        scales = table.gyro_scale_factor * rng.standard_normal(3)
         scales += table.common_scale * rng.standard_normal()
         unit = NO_ERRORS._replace(
-            gyro_error=table.triad + np.diag(scales),
+            gyro_error_matrix=table.triad + np.diag(scales),
             gyro_bias=table.gyro_bias * rng.standard_normal(3),
         )
         wobble = table.mounting * rng.standard_normal((4, 1, 2)) @ sides
         axes = YATES_AXES + wobble[:, 0]
         for sense, row in zip(BOTH, run, strict=True):
-            turn = TableTurn(
+            turn = TurntableRotation(
                 sense * table.rate,
                 latitude=table.latitude,
                 table_axis=(tilt[0], tilt[1], 1.0),

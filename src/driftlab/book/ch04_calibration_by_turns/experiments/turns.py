@@ -18,7 +18,7 @@ SEED = 1987
 
 
 def turn_bias(
-    triad_error: ArrayLike = LARIN_TRIAD,
+    error_matrix: ArrayLike = LARIN_TRIAD,
     runs: int = 400,
     seed: int = SEED,
     angle_noise: float = ANGLE_NOISE,
@@ -27,15 +27,15 @@ def turn_bias(
     count = whole_number(runs, "runs", least=2)
     size = positive_number(angle_noise, "angle_noise")
     steps = np.array([6, 8, 12, 16, 24, 32, 48, 64, 100, 160, 240, 360])
-    by_formula = np.abs([estimate_errors(triad_error, name, steps) for name in FORMULAS])
+    by_formula = np.abs([estimate_errors(error_matrix, name, steps) for name in FORMULAS])
     turns = np.array([1, 2, 3, 5, 8, 13, 21, 34])
     rng = np.random.default_rng(seed)
     repeated = np.broadcast_to(PAIR_AXES[1], (count, 3))
     noise = [
-        TurnExperiment(int(k), 12, "exact", size).estimate(repeated, triad_error, rng).std()
+        TurnExperiment(int(k), 12, "exact", size).estimate(repeated, error_matrix, rng).std()
         for k in turns
     ]
-    bias_by_turns = np.abs([method_bias(triad_error, int(k)) for k in turns])
+    bias_by_turns = np.abs([method_bias(error_matrix, int(k)) for k in turns])
     bias = float(bias_by_turns[0])
     return DataTable(
         {
@@ -54,19 +54,19 @@ def turn_bias(
     )  # fmt: skip
 
 
-def estimate_errors(triad_error: ArrayLike, step_formula: str, steps: ArrayLike) -> FloatArray:
+def estimate_errors(error_matrix: ArrayLike, step_formula: str, steps: ArrayLike) -> FloatArray:
     """Error (m,) of the estimate of sigma2 after one turn of each number of `steps` (m,)."""
     found = [
-        TurnExperiment(1, int(count), step_formula).estimate(PAIR_AXES[1], triad_error)
+        TurnExperiment(1, int(count), step_formula).estimate(PAIR_AXES[1], error_matrix)
         for count in np.asarray(steps)
     ]
-    return np.array(found) - drift_coefficient(PAIR_AXES[1], triad_error)
+    return np.array(found) - drift_coefficient(PAIR_AXES[1], error_matrix)
 
 
-def method_bias(triad_error: ArrayLike, turns: int = 1) -> float:
+def method_bias(error_matrix: ArrayLike, turns: int = 1) -> float:
     """Error of the estimate of sigma2 that no number of steps removes; Larin (3.3)."""
-    exact = exact_turn_estimate(PAIR_AXES[1], triad_error, turns)
-    return float(exact - drift_coefficient(PAIR_AXES[1], triad_error))
+    exact = exact_turn_estimate(PAIR_AXES[1], error_matrix, turns)
+    return float(exact - drift_coefficient(PAIR_AXES[1], error_matrix))
 
 
 def expected_noise(turns: ArrayLike, angle_noise: float = ANGLE_NOISE) -> FloatArray:

@@ -10,7 +10,7 @@ from driftlab.checks import FloatArray, finite_array, finite_number, positive_nu
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns
 
-from .calibrations import AS_COPIED, triad_error, yates_sigma
+from .calibrations import AS_COPIED, error_matrix, yates_sigma
 from .turns import SEED
 
 METHODS = (
@@ -40,7 +40,7 @@ def weighing_designs(
     sigmas, size = finite_array(sigma, "sigma", 3), positive_number(noise, "noise")
     common = finite_number(offset, "offset")
     rng = np.random.default_rng(seed)
-    true = drift_coefficient(YATES_AXES, triad_error(sigmas))
+    true = drift_coefficient(YATES_AXES, error_matrix(sigmas))
     noises = rng.normal(0.0, size, (count, 4))
     # Each sigma is linear in the four turn estimates.
     variance = (_estimates(np.eye(4)) ** 2).sum(axis=1).mean(axis=-1)

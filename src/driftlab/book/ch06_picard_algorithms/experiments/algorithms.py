@@ -9,9 +9,9 @@ from driftlab.attitude.coning_algorithms import (
     Algorithm,
     AnyAlgorithm,
     AttitudeAlgorithm,
-    attitude_algorithm,
+    checked_algorithm,
 )
-from driftlab.attitude.finite_precision import integrate_in_word
+from driftlab.attitude.finite_precision import integrate_finite_word
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import step_quaternions
 from driftlab.attitude.own_algorithms import OwnAlgorithm
@@ -49,9 +49,7 @@ ORDER_MOTIONS: dict[str, Motion] = {
 def named_algorithms(algorithms: Algorithms) -> dict[str, AttitudeAlgorithm | OwnAlgorithm]:
     """Several algorithms by their names, in the same order; a function needs a name with it."""
     if isinstance(algorithms, Mapping):
-        return {
-            str(name): attitude_algorithm(one, "algorithms") for name, one in algorithms.items()
-        }
+        return {str(name): checked_algorithm(one, "algorithms") for name, one in algorithms.items()}
     if isinstance(algorithms, str) or not isinstance(algorithms, Iterable):
         raise ValueError(
             "algorithms: expected several names, or a mapping from names to algorithms, "
@@ -59,7 +57,7 @@ def named_algorithms(algorithms: Algorithms) -> dict[str, AttitudeAlgorithm | Ow
         )
     found: dict[str, AttitudeAlgorithm | OwnAlgorithm] = {}
     for one in algorithms:
-        algorithm = attitude_algorithm(one, "algorithms")
+        algorithm = checked_algorithm(one, "algorithms")
         if not isinstance(algorithm, AttitudeAlgorithm):
             raise ValueError('algorithms: expected a name with a function, as {"mine": function}.')
         found[algorithm.name] = algorithm
@@ -142,7 +140,7 @@ def _attitudes(
 ) -> FloatArray:  # fmt: skip
     """Attitudes (algorithm, n // samples, 4) of algorithms with equally many samples a step."""
     if short_word:
-        attitudes = [integrate_in_word(increments, one, start=start) for one in algorithms]
+        attitudes = [integrate_finite_word(increments, one, start=start) for one in algorithms]
         return np.array(attitudes, dtype=np.float64)
     steps = [step_quaternions(increments, one) for one in algorithms]
     return multiply(start, cumulative_product(np.stack(steps)))

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, AnyAlgorithm
-from driftlab.attitude.drift_on_cones import coning_drift, measured_coning_drift
+from driftlab.attitude.drift_on_cones import coning_drift, simulated_coning_drift
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, finite_number, positive_number, whole_number
 from driftlab.motion.profiles import Coning
@@ -104,7 +104,7 @@ def drift_by_frequency_and_rate(
                 found[f"{name}, {way}"] = np.where(size > 0, size, np.nan)
         return found
 
-    measured = sizes(measured_coning_drift, DRIFT_FREQUENCIES, DRIFT_SAMPLE_RATES)
+    measured = sizes(simulated_coning_drift, DRIFT_FREQUENCIES, DRIFT_SAMPLE_RATES)
     formula = sizes(coning_drift, FINE_FREQUENCIES, FINE_SAMPLE_RATES)
     return DataTable(
         {

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import day
 
-from driftlab.attitude.finite_precision import UPDATES, Update, integrate_in_word
+from driftlab.attitude.finite_precision import UPDATES, Update, integrate_finite_word
 from driftlab.attitude.integration import integrate
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, whole_number
@@ -109,7 +109,7 @@ def short_word_errors(
         for i, arithmetic in enumerate(ARITHMETICS.values()):
             for u, update in enumerate(UPDATES):
                 kind = arithmetic._asdict()
-                found = integrate_in_word(runs, start=begin, update=update, **kind)
+                found = integrate_finite_word(runs, start=begin, update=update, **kind)
                 end = found[..., -1, :].astype(np.float64)
                 # Its angle does not depend on the length of the quaternion.
                 wrong = rotation_angle(multiply(conjugate(true), end))

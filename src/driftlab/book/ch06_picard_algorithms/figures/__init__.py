@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from driftlab.attitude.drift_on_cones import MEASURED_STEPS
+from driftlab.attitude.drift_on_cones import SIMULATED_STEPS
 from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
@@ -46,7 +46,7 @@ FIGURES = (
         coning_drift.draw,
         lambda _: (
             "Apparent drift of a body that does not turn on the whole: marks measured over "
-            f"{MEASURED_STEPS} steps of each algorithm, lines from a single step."
+            f"{SIMULATED_STEPS} steps of each algorithm, lines from a single step."
         ),
     ),
     FigureDefinition(

@@ -9,8 +9,8 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import (
     navigate_static,
-    static_causes,
     static_error_modes,
+    static_error_sources,
     static_errors,
 )
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors
@@ -56,7 +56,7 @@ def errors_at_rest(
             runs[frame, start] = navigate_static(
                 *stands, start=attitude, reference=attitude, latitude=latitude, duration=duration
             )
-            causes[frame, start] = static_causes(
+            causes[frame, start] = static_error_sources(
                 *stands, start=attitude, reference=attitude, latitude=latitude
             )
     times = next(iter(runs.values())).times

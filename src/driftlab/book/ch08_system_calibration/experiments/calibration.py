@@ -7,7 +7,7 @@ import numpy as np
 
 from driftlab.book.machinery.figure.data_table import UNITS, DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration import ERROR_MODELS, TableTrial
+from driftlab.calibration import ERROR_MODELS, TurntableTrial
 from driftlab.calibration.simulation import Trial
 from driftlab.checks import whole_number
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors
@@ -64,7 +64,7 @@ def trial_of(
 def _calibrated(
     frame: str, imu_errors: ImuErrors, scheme: Scheme, latitude: float, seed: int
 ) -> Trial:
-    table = TableTrial(scheme, latitude, frame, sample_interval=0.1, keep=6)
+    table = TurntableTrial(scheme, latitude, frame, sample_interval=0.1, keep=6)
     rng = np.random.default_rng(whole_number(seed, "seed", least=0))
     return table.run(rng, imu_errors=imu_errors)
 
@@ -81,10 +81,10 @@ def calibration_history(
     found = typical_trial(frame)
     model, calibration = ERROR_MODELS[frame], found.calibration
     state = 6 + PARAMETERS.index(parameter)
-    estimate, deviation = calibration.state[:, state], calibration.deviations[:, state]
+    estimate, deviation = calibration.state[:, state], calibration.standard_deviations[:, state]
     true = float(estimate[-1] + found.errors[-1, state])
     error = true - estimate
-    table = TableTrial(frame=frame)
+    table = TurntableTrial(frame=frame)
     before = np.sqrt(model.covariance(table.prior, table.scheme.start_attitude)[state, state])
     at = int(np.abs(calibration.times / 60 - minute).argmin())
     name = model.names[state]
@@ -123,7 +123,7 @@ def calibration_errors(
     names = calibration.model.names
     columns: dict[str, tuple[Any, ...]] = {"time": (calibration.times, "min", "since the start")}
     for i, name in enumerate(names[6:], 6):
-        unit, three = state_unit(name), 3 * calibration.deviations[:, i]
+        unit, three = state_unit(name), 3 * calibration.standard_deviations[:, i]
         columns[f"error, {name}"] = (np.abs(found.errors[:, i]), unit, "size")
         columns[f"three_deviations, {name}"] = (three, unit, "of the filter")
     return DataTable(columns, {

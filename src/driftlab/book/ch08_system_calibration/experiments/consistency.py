@@ -6,8 +6,8 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.book.machinery.figure.data_table import DataTable
-from driftlab.calibration import TableTrial
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.calibration import TurntableTrial
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.monte_carlo import mean_square_bounds, run_batches
 from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
 
@@ -16,7 +16,7 @@ from .schemes import TYPICAL_NOISE
 RUNS = 60
 """Calibrations whose errors and innovations are followed over time."""
 SEED = 2018
-QUICK_TRIAL = TableTrial(
+QUICK_TRIAL = TurntableTrial(
     scheme=replace(NINETEEN_POSITIONS, dwell=63.0),
     sample_interval=0.25,
     update_interval=9.0,
@@ -27,12 +27,12 @@ QUICK_TRIAL = TableTrial(
 
 def quick_trial(
     scheme: str, installation: float, dwell: float = QUICK_TRIAL.scheme.dwell
-) -> TableTrial:
+) -> TurntableTrial:
     """Return `QUICK_TRIAL` on a scheme, for a spread of installation errors in arc seconds."""
     return replace(
         QUICK_TRIAL,
         scheme=replace(SCHEMES[scheme], dwell=dwell),
-        prior=PriorDeviations(installation=installation * arcsecond),
+        prior=PriorStandardDeviations(installation=installation * arcsecond),
     )
 
 
@@ -47,7 +47,7 @@ def filter_consistency(
 
     The filter assumes the noise of the simulation unless `assumed_noise` is given.
     """
-    table = TableTrial(
+    table = TurntableTrial(
         scheme, noise=noise, assumed_noise=assumed_noise,
         sample_interval=0.1, update_interval=3.0, keep=7,
     )  # fmt: skip

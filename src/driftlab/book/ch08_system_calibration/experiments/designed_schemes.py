@@ -10,14 +10,14 @@ from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import (
     ERROR_MODELS,
     DesignTask,
-    TableTrial,
+    TurntableTrial,
     covariance_analysis,
     design_scheme,
     linearize_along,
 )
 from driftlab.calibration.scheme_design import CRITERIA
 from driftlab.checks import FloatArray, whole_number
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.monte_carlo import run_batches
 from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
 
@@ -47,7 +47,7 @@ CLASSES = np.geomspace(0.024, 1.1, 25)
 def expected_covariance(scheme: Scheme, latitude: float = TABLE_LATITUDE) -> FloatArray:
     """Covariance (27, 27) after a scheme, for the typical noise and prior."""
     way = linearize_along(scheme, latitude, ERROR_MODELS["averaged"])
-    return covariance_analysis(way, ImuNoise(), PriorDeviations())
+    return covariance_analysis(way, ImuNoise(), PriorStandardDeviations())
 
 
 def designed_schemes(
@@ -74,7 +74,9 @@ def designed_schemes(
     }
     begin = NINETEEN_POSITIONS if positions == NINETEEN_POSITIONS.positions else None
     task = tasks[BEST]
-    rows = [("published", name, each.lasting(task.duration)) for name, each in SCHEMES.items()]
+    rows = [
+        ("published", name, each.with_duration(task.duration)) for name, each in SCHEMES.items()
+    ]
     for name, each in tasks.items():
         design = design_scheme(each, rng, draws=draws, climbs=climbs, begin=begin)
         rows.append(("designed", name, design.scheme))
@@ -163,7 +165,7 @@ def _calibrated(
     """Errors (units, 21) and squared normalised errors (units,) of the same units each time."""
     # An update every three seconds tells as much as three that are each so much noisier.
     noise = ImuNoise(reference_velocity=ImuNoise().reference_velocity / np.sqrt(3))
-    table = TableTrial(
+    table = TurntableTrial(
         latitude=latitude, sample_interval=0.1, update_interval=3.0, noise=noise, keep=100_000
     )
     # Whole updates, and no pause is longer than it may be.

@@ -14,13 +14,13 @@ SETTABLE = {
     7: "gyro bias East", 8: "gyro bias North", 9: "gyro bias Up", 10: "acc. bias East",
     11: "acc. bias North", 0: "tilt East", 1: "tilt North", 2: "azimuth",
 }  # fmt: skip
-"""Causes that a reader can set: their place in `STATIC_CAUSES`, and a short name."""
+"""Causes that a reader can set: their place in `STATIC_ERROR_SOURCES`, and a short name."""
 
 
 def mission(causes: Sequence[float], latitude: float, duration: float) -> DataTable:
     """Let a unit with these causes of error rest.
 
-    They are in the order of `STATIC_CAUSES`, SI units.
+    They are in the order of `STATIC_ERROR_SOURCES`, SI units.
     """
     times = np.linspace(0.0, duration, POINTS)
     modes = static_error_modes(latitude)

@@ -6,8 +6,8 @@ import numpy as np
 
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration import ERROR_MODELS, deviation_history, linearize_along
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.calibration import ERROR_MODELS, linearize_along, standard_deviation_history
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import DIRECTIONS, NINETEEN_POSITIONS, Scheme
 from driftlab.motion.turntable import Segment, segments
 from driftlab.quaternion import from_rotation_vector, multiply, to_matrix
@@ -24,7 +24,7 @@ def scheme_run(scheme: Scheme = NINETEEN_POSITIONS) -> DataTable:
     the typical spread of errors, the sensors the typical noise. The last runs are kept.
     """
     way = linearize_along(scheme, TABLE_LATITUDE, ERROR_MODELS["averaged"])
-    known = deviation_history(way, ImuNoise(), PriorDeviations())
+    known = standard_deviation_history(way, ImuNoise(), PriorStandardDeviations())
     known_at = np.append(0.0, np.cumsum(way.durations))
     row = segments(scheme, 1e-3)
     begins = np.append(0.0, np.cumsum([segment.duration for segment in row]))
@@ -46,7 +46,7 @@ def scheme_run(scheme: Scheme = NINETEEN_POSITIONS) -> DataTable:
             "attitude": (attitude, "", "body to East, North, Up"),
             "doings": ([doing_of(each) for each in row], "", "pauses and turns, one by one"),
             "names": (way.model.names, "", "of the 27 states in averaged axes"),
-            "deviations": (
+            "standard_deviations": (
                 np.stack([np.interp(times, known_at, column) for column in known.T], axis=-1), "",
                 "expected standard deviations of the states, SI units",
             ),

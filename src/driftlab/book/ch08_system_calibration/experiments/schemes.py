@@ -19,9 +19,9 @@ from driftlab.calibration.error_dynamics import LinearizedErrors, checked_model
 from driftlab.calibration.error_model import ErrorModel
 from driftlab.calibration.observability import UnobservableSubspace
 from driftlab.checks import checked_instance, finite_number, one_of
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
-from driftlab.motion.turntable import table_trajectory
+from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import conjugate, rotate
 
 TYPICAL_NOISE = ImuNoise()
@@ -45,7 +45,7 @@ def up_in_body_axes(schemes: Sequence[Scheme] = tuple(SCHEMES.values())) -> Data
     named = {scheme_name(each): each for each in schemes}
     columns: dict[str, tuple[Any, ...]] = {}
     for name, scheme in named.items():
-        attitude = table_trajectory(scheme, 0.0, 1.0).attitude
+        attitude = turntable_trajectory(scheme, 0.0, 1.0).attitude
         up = rotate(conjugate(attitude), [0.0, 0.0, 1.0]).T
         times = np.arange(len(attitude), dtype=np.float64)
         columns[f"time, {name}"] = (times, "min", "since the start")
@@ -85,7 +85,7 @@ def table_observability(
 ) -> DataTable:
     """Follow the error equations of a model along a scheme; units have the typical spread."""
     way, unobservable = _followed(scheme, finite_number(latitude, "latitude"), checked_model(model))
-    prior = PriorDeviations()
+    prior = PriorStandardDeviations()
     covariance = covariance_analysis(way, ImuNoise() if noise is None else noise, prior)
     before = np.sqrt(np.diag(model.covariance(prior, way.start)))
     after = np.sqrt(np.diag(covariance))

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from driftlab.book.machinery.figure.data_table import DataTable
-from driftlab.calibration import ERROR_MODELS, TableTrial, nees
+from driftlab.calibration import ERROR_MODELS, TurntableTrial, nees
 from driftlab.checks import FloatArray, positive_number
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS, HigherOrderErrors
 from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise
@@ -21,7 +21,7 @@ ARM_SIZES = (0.003, 0.01, 0.02, 0.03, 0.05, 0.1)
 """Arms, m."""
 RATES = (5.0, 10.0, 20.0)
 """Of the table, deg/s."""
-TABLE = TableTrial(sample_interval=0.1, keep=10**6)
+TABLE = TurntableTrial(sample_interval=0.1, keep=10**6)
 FILTERS = ("filter of 27 states", "with the arms as states")
 BAND = 3.0
 """Stated deviations within which errors should be."""
@@ -53,7 +53,7 @@ def size_effect(
         )
         for states in ((), ("lever arms",))
     ]
-    ratios = [(t.errors / t.calibration.deviations)[-1, 6:27] for t in trials]
+    ratios = [(t.errors / t.calibration.standard_deviations)[-1, 6:27] for t in trials]
     innovations = np.array([t.calibration.nis.mean() / 3 for t in trials])
     found = np.array([
         [_without_noise(replace(scheme, rate=rate, dwell=dwell), sizes, seed) for rate in rates]
@@ -114,11 +114,11 @@ def _without_noise(scheme: Scheme, sizes: Sequence[float], seed: int) -> FloatAr
     names = trial.calibration.model.names[6:]
     biases = [names.index(f"accelerometer bias {axis}") for axis in "xyz"]
     size = np.abs(errors[:, biases])
-    deviations = np.sqrt(np.einsum("...ii->...i", covariance))[:, biases]
+    standard_deviations = np.sqrt(np.einsum("...ii->...i", covariance))[:, biases]
     return np.array([
         1 + nees(errors, covariance) / errors.shape[-1],
         1 + nis.mean(axis=-1) / 3,
-        (size / deviations).max(axis=-1),
+        (size / standard_deviations).max(axis=-1),
         size.max(axis=-1),
         np.full(len(sizes), nis.shape[-1]),
     ])  # fmt: skip

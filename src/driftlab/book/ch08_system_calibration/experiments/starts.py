@@ -37,7 +37,7 @@ def one_attitude(imu_errors: ImuErrors, found: ImuErrors, frame: str) -> FloatAr
     own = own_axes(imu_errors, "averaged")
     if frame == "averaged":
         return own
-    turn = body_frame_rotation(found.gyro_error, found.accelerometer_error, frame)
+    turn = body_frame_rotation(found.gyro_error_matrix, found.accelerometer_error_matrix, frame)
     return attitude_of_axes(own, turn)
 
 

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.machinery.figure.picture import BLACK, SERIES, Picture, legend_above
-from driftlab.calibration import TableTrial
+from driftlab.calibration import TurntableTrial
 from driftlab.motion.turntable import segments
 from driftlab.quaternion import conjugate, rotate
 
@@ -26,7 +26,7 @@ def pauses() -> list[tuple[float, float, str, str]]:
     Of each pause its begin and end in minutes, the body axis that points up, with its sign, and the
     scheme's word for the rotation after it, empty after the last.
     """
-    scheme = TableTrial().scheme
+    scheme = TurntableTrial().scheme
     row = segments(scheme, 1e-3)  # pauses and turns by turns
     ends = np.cumsum([segment.duration for segment in row]) / 60
     found = []

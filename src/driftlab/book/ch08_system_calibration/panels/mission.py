@@ -122,7 +122,7 @@ class MissionExplorer(Explorer):
         causes = ", ".join(f"{cause:.6g}" for cause in self._causes(values))
         return (
             "import numpy as np\n"
-            "from driftlab.calibration import static_errors  # causes as in STATIC_CAUSES\n"
+            "from driftlab.calibration import static_errors  # causes as in STATIC_ERROR_SOURCES\n"
             f"causes = [{causes}]\n"
             f"times, latitude = [{values['hours'] * hour}], np.radians({values['latitude']})\n"
             "east, north = static_errors(times, latitude, causes).position[0] / 1852\n"

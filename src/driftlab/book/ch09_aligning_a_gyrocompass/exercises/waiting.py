@@ -13,7 +13,7 @@ from driftlab.earth import EARTH_RATE
 
 from ..experiments import WHITE, gyro_noise
 
-NOISE, WALK = gyro_noise(WHITE[0], slow=0.0), 0.01 * degree / hour / np.sqrt(hour)
+NOISE, WALK = gyro_noise(WHITE[0], gauss_markov=0.0), 0.01 * degree / hour / np.sqrt(hour)
 """Of 9.6: the white noise, and the walk of the drift in rad/s per root of a second."""
 
 GOAL = 0.1 * degree
@@ -24,7 +24,7 @@ GOAL = 0.1 * degree
 def _best_window() -> float:
     """Time in s over which the mean of white noise and of a walk from zero is best."""
     counts = np.arange(1, 20_001)
-    white = NOISE.deviation_of_mean(1) ** 2 / counts
+    white = NOISE.standard_deviation_of_mean(1) ** 2 / counts
     # Steps are independent; step i is in all means but those of the samples before it.
     walk = WALK**2 * NOISE.interval * (counts - 1) * (2 * counts - 1) / (6 * counts)
     return NOISE.interval * float(counts[np.argmin(white + walk)])

@@ -39,9 +39,9 @@ becomes 0.01, and with a rounding that makes 0.5 of it, 0.02. From 23 to 42 samp
 """
 
 
-def gyro_noise(white: float, slow: float = SLOW) -> GyroNoise:
+def gyro_noise(white: float, gauss_markov: float = SLOW) -> GyroNoise:
     """Return the noise of a gyro from the deviations of its white and its slow part, deg/h."""
-    return GyroNoise(white * degree / hour, slow * degree / hour)
+    return GyroNoise(white * degree / hour, gauss_markov * degree / hour)
 
 
 def rival_noise(total: float, quiet: float = WHITE[0]) -> GyroNoise:
@@ -53,7 +53,7 @@ def rival_noise(total: float, quiet: float = WHITE[0]) -> GyroNoise:
 
 def heading_spread_by_window(
     white: ArrayLike = (WHITE[0] * DEGREE_PER_HOUR, WHITE[1] * DEGREE_PER_HOUR),
-    slow: float = SLOW * DEGREE_PER_HOUR,
+    gauss_markov: float = SLOW * DEGREE_PER_HOUR,
     moving_average: int = MOVING_AVERAGE,
     rival_window: int = RIVAL_WINDOW,
     latitude: float = SARATOV_LATITUDE,
@@ -67,7 +67,7 @@ def heading_spread_by_window(
     quiet, noisy = (float(value) for value in finite_array(white, "white", 2) / DEGREE_PER_HOUR)
     if not 0 < quiet <= noisy:
         raise ValueError(f"white: expected a quiet gyro and a noisier one, got {white!r}.")
-    part = positive_number(slow, "slow") / DEGREE_PER_HOUR
+    part = positive_number(gauss_markov, "gauss_markov") / DEGREE_PER_HOUR
     own_window = whole_number(moving_average, "moving_average")
     marked = own_window, whole_number(rival_window, "rival_window")
     count, place = whole_number(runs, "runs", least=2), finite_number(latitude, "latitude")
@@ -75,7 +75,7 @@ def heading_spread_by_window(
     level = EARTH_RATE * np.cos(place)
 
     def means(noises: list[GyroNoise], windows: Iterable[int]) -> FloatArray:
-        return np.array([[n.deviation_of_mean(int(w)) for w in windows] for n in noises])
+        return np.array([[n.standard_deviation_of_mean(int(w)) for w in windows] for n in noises])
 
     kinds = [gyro_noise(value, part) for value in (quiet, noisy)]
     rival = [rival_noise(value, quiet) for value in (quiet, noisy)]
@@ -103,7 +103,7 @@ def heading_spread_by_window(
         },
         {
             "white": (np.array([quiet, noisy]) * DEGREE_PER_HOUR, "deg_per_h", "white noise"),
-            "slow": (part * DEGREE_PER_HOUR, "deg_per_h", "deviation of the slow part"),
+            "gauss_markov": (part * DEGREE_PER_HOUR, "deg_per_h", "deviation of the slow part"),
             "averaged": (left, "deg_per_h", "noise left by the marked mean"),
             "rival_averaged": (by_rival_left, "deg_per_h", "the same with a rounded angle"),
             "runs": (count, "", "number of simulated alignments"),

@@ -8,10 +8,10 @@ from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, finite_number, positive_number, whole_number
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.alignment import align
-from driftlab.gyrocompass.alignment_deviations import two_position_deviation
+from driftlab.gyrocompass.alignment_deviations import two_position_standard_deviation
 from driftlab.gyrocompass.inertial_alignment import align_in_inertial_frame
 from driftlab.gyrocompass.noise import GyroNoise
-from driftlab.gyrocompass.two_position_alignment import align_in_positions
+from driftlab.gyrocompass.two_position_alignment import align_multi_position
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import from_rotation_vector
@@ -28,7 +28,7 @@ TURN_ERROR = float(np.radians(0.1))
 
 def two_positions(
     white: float = WHITE[0] * DEGREE_PER_HOUR,
-    slow: float = SLOW * DEGREE_PER_HOUR,
+    gauss_markov: float = SLOW * DEGREE_PER_HOUR,
     duration: float = minute * MINUTES,
     turn_error: float = TURN_ERROR,
     latitude: float = SARATOV_LATITUDE,
@@ -42,7 +42,7 @@ def two_positions(
     rng = np.random.default_rng(seed)
     noise = gyro_noise(
         positive_number(white, "white") / DEGREE_PER_HOUR,
-        positive_number(slow, "slow") / DEGREE_PER_HOUR,
+        positive_number(gauss_markov, "gauss_markov") / DEGREE_PER_HOUR,
     ).sampled_every(1.0)
     turns = np.radians([10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 150.0, 180.0])
     times = np.array([20.0, 40.0, 90.0, 180.0, 360.0, 800.0, 1800.0])
@@ -55,14 +55,14 @@ def two_positions(
     change = np.sqrt(2) * float(noise.allan_deviation(half))
     change = np.sqrt(change**2 - 2 * walk**2 / half)
     by_turn_formula = [
-        two_position_deviation(
+        two_position_standard_deviation(
             place, 2.0 * half, walk, turns, turn_error=wrong, gyro_bias_change=change
         )
         for wrong in (0.0, wrong_turn)
     ]
     level = EARTH_RATE * np.cos(place)
     alone = walk / np.sqrt(times) / level
-    mean = [noise.deviation_of_mean(round(time)) / level for time in times]
+    mean = [noise.standard_deviation_of_mean(round(time)) / level for time in times]
     allan = noise.allan_deviation(times / 2) / (np.sqrt(2) * level)
     by_time = np.array([_by_time(noise, round(time), place, many, rng) for time in times]).T
     by_time_formula = np.stack([mean, allan, _through_the_bell(noise, times) / level])
@@ -101,7 +101,7 @@ def _scatter(
     """Deviation of the heading of level units in two positions."""
     rate, force = static_imu(_about_up([0.0, turn]), latitude)
     believed = _about_up(np.stack(np.broadcast_arrays(0.0, turn + wrong), axis=-1))
-    found = align_in_positions(rate + means, force, believed)
+    found = align_multi_position(rate + means, force, believed)
     return float(np.std(found.heading))
 
 
@@ -126,9 +126,9 @@ def _through_the_bell(noise: GyroNoise, times: FloatArray) -> FloatArray:
     bell = 140 * (part * (1 - part)) ** 3 / 400
     apart = np.abs(part - part[:, np.newaxis])
     lags = times[:, np.newaxis, np.newaxis] / noise.correlation_time * apart
-    slow = noise.slow**2 * np.einsum("i,kij,j->k", bell, np.exp(-lags), bell)
+    gauss_markov = noise.gauss_markov**2 * np.einsum("i,kij,j->k", bell, np.exp(-lags), bell)
     white = noise.white**2 * noise.interval * 400 * (bell @ bell) / times
-    return np.sqrt(white + slow)
+    return np.sqrt(white + gauss_markov)
 
 
 def _about_up(angle: object) -> FloatArray:

@@ -48,7 +48,7 @@ def _averaging_caption(data: DataTable) -> str:
         f"Spread of the heading of {data.runs} alignments over the length of the averaging window, "
         "for a quiet and a noisy gyro, published for the ends of the paper's range. Two readings "
         "of the paper's averages. First white noise and a slow part of "
-        f"{data.shown('slow'):.3g} degrees per hour, which sets a floor. Then "
+        f"{data.shown('gauss_markov'):.3g} degrees per hour, which sets a floor. Then "
         "white noise as in the quiet gyro, and a rounded angle, which falls with the "
         f"window itself. After ten minutes the noisy gyro would differ by a factor of {apart:.0f}. "
         f"Simulation and closed formula differ by up to {_gap(data.spread, data.rival_spread):.0%}."

@@ -18,7 +18,8 @@ def draw(drawing: Drawing) -> None:
     )  # fmt: skip
     panels = list(mosaic.values())
     cases = (
-        (f"a slow part of {table.shown('slow'):.3g} deg/h: a floor", "spread", "moving_average",
+        (f"a slow part of {table.shown('gauss_markov'):.3g} deg/h: a floor", "spread",
+         "moving_average",
          table.shown("averaged")),
         ("the rival, a rounded angle: no floor", "rival_spread", "rival_window",
          table.shown("rival_averaged")),

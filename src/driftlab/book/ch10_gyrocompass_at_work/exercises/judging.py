@@ -9,7 +9,7 @@ from driftlab.book.machinery.exercise.answers import Value
 from driftlab.book.machinery.exercise.exercise import Exercise
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
-from driftlab.gyrocompass.trials import range_over_deviation
+from driftlab.gyrocompass.trials import range_over_standard_deviation
 from driftlab.gyrocompass.type_test import LIMITS
 
 from ..experiments import RESTARTS, TRIALS
@@ -25,7 +25,7 @@ def _wide_ranges(width: float = 3.0) -> FloatArray:
     """Two ratios (2, n) of samples with outliers: range over deviation, by n - 1 and by n."""
     rng = np.random.default_rng(10)
     wide = np.where(rng.random((OUTLIER_TRIALS, RESTARTS)) < 0.1, width, 1.0)
-    ratio = range_over_deviation(wide * rng.standard_normal(wide.shape))
+    ratio = range_over_standard_deviation(wide * rng.standard_normal(wide.shape))
     return np.array([ratio, ratio * np.sqrt(RESTARTS / (RESTARTS - 1))])
 
 
@@ -36,7 +36,7 @@ def _how_often(width: float = 3.0, divided_by_n: bool = False) -> float:
 def _without_outliers() -> float:
     """The same for normal samples, as many and from the same seed as in the chapter."""
     samples = np.random.default_rng(1).standard_normal((TRIALS, RESTARTS))
-    return float(np.mean(range_over_deviation(samples) >= WITHIN))
+    return float(np.mean(range_over_standard_deviation(samples) >= WITHIN))
 
 
 def _drift_and_latitude(

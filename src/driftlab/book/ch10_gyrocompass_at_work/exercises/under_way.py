@@ -21,7 +21,7 @@ from driftlab.book.scenarios import (
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.gyrocompass.heading_error import coriolis_correction, speed_error
-from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 
 from ..experiments import GYRO_BIAS, TUNING_FACTORS
 
@@ -36,7 +36,7 @@ HOURS = 2.0
 @cache
 def _to_the_east() -> FloatArray:
     """Speed error, tilt after gathering way, mean tilt over the next swing: arc minutes."""
-    run = simulate_compass(ship_manoeuvre(**TO_THE_EAST), np.zeros(3))
+    run = simulate_gyrocompass(ship_manoeuvre(**TO_THE_EAST), np.zeros(3))
     begin = sum(SPEED_UP)
     after = np.searchsorted(run.times, begin)
     swing = (run.times > begin) & (run.times <= begin + SCHULER_PERIOD)
@@ -74,7 +74,7 @@ def _heading_and_yaw(latitude: float, growth: float) -> FloatArray:
     bias = np.zeros_like(quay.increments.angle)
     # None in the interval that the alignment reads.
     bias[:, 2] = growth * degree / hour**2 * quay.times[:-1]
-    run = simulate_compass(quay, bias)
+    run = simulate_gyrocompass(quay, bias)
     return np.degrees([run.heading_error[-1], run.yaw_error[-1]])
 
 
@@ -93,7 +93,7 @@ def _voyages() -> FloatArray:
     factors = TUNING_FACTORS
     return np.array(
         [
-            simulate_compass(ship_manoeuvre(), GYRO_BIAS, tuning_factor=k).heading_error
+            simulate_gyrocompass(ship_manoeuvre(), GYRO_BIAS, tuning_factor=k).heading_error
             for k in factors
         ]
     )

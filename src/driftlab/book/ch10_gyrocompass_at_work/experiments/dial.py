@@ -11,7 +11,7 @@ from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, finite_array, whole_number
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors
-from driftlab.gyrocompass.trials import table_heading_error
+from driftlab.gyrocompass.trials import turntable_heading_error
 from driftlab.quaternion import rotate
 
 DIAL: FloatArray = np.radians(np.arange(0.0, 361.0, 15.0))
@@ -66,7 +66,7 @@ def dial_trial(
     errors = {}
     for name, (dial, pitch, roll) in STOPS.items():
         noise = random * rng.standard_normal((units, RUNS, len(dial), 3))
-        errors[name] = table_heading_error(
+        errors[name] = turntable_heading_error(
             dial, drift + noise, bias, latitude, pitch=pitch, roll=roll,
             north_error=north, tilt=tilt,
         )  # fmt: skip

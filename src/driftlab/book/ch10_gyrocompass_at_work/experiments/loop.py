@@ -12,7 +12,7 @@ from driftlab.book.scenarios import SARATOV_LATITUDE, SCHULER_PERIOD
 from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.levelling_loop import LevelLoop, damped_gains, level_loop, schuler_gains
-from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 from driftlab.motion.vehicle import vehicle_trajectory
 
 from .settling import FREQUENCY
@@ -20,7 +20,7 @@ from .voyages import DAMPING
 
 SWELL, DAY = 8.0, 24 * hour
 """Periods of a swell and of a day, s."""
-DISTURBANCES = ("acceleration", "gyro_bias", "accelerometer_bias", "log_error")
+DISTURBANCES = ("acceleration", "gyro_bias", "accelerometer_bias", "speed_log_error")
 """Methods of `LevelLoop`."""
 DRIVEN = (SWELL, 10 * minute, SCHULER_PERIOD, 6 * hour)
 """Periods at which the compass itself is driven, s."""
@@ -30,7 +30,7 @@ GAINS = {
     "tilt, by 0.01 m/s² of acceleration": ("acceleration", "tilt", 0.01),
     "heading, by 0.01 m/s² of acceleration": ("acceleration", "rate", 0.01),
     "heading, by 0.01 °/h of drift": ("gyro_bias", "rate", 0.01 * degree / hour),
-    "heading, by 0.1 m/s of the log": ("log_error", "rate", 0.1),
+    "heading, by 0.1 m/s of the log": ("speed_log_error", "rate", 0.1),
     "heading, by 0.01 m/s² of offset": ("accelerometer_bias", "rate", 0.01),
 }
 """What is shown: of which disturbance, which part of the response, and for which size."""
@@ -45,7 +45,7 @@ def four_loops(
     return {
         "Schuler's tuning": level_loop(schuler_gains(), pull),
         f"damped, ratio {damping:g}": level_loop(damped, pull),
-        f"damped, ratio {damping:g}, with a log": level_loop(damped, pull, log=True),
+        f"damped, ratio {damping:g}, with a log": level_loop(damped, pull, speed_log=True),
         "stiff, for levelling": level_loop(damped_gains(frequency, pull), pull),
     }
 
@@ -53,7 +53,7 @@ def four_loops(
 def damped_loop(disturbance: str, loops: Mapping[str, LevelLoop]) -> LevelLoop:
     """Damped loop that is driven by a disturbance: by a log if the log errs, else without."""
     _, alone, by_log, _ = loops.values()
-    return by_log if disturbance == "log_error" else alone
+    return by_log if disturbance == "speed_log_error" else alone
 
 
 def frequency_response(
@@ -98,7 +98,7 @@ def frequency_response(
         if disturbance == "accelerometer_bias":
             # The whole rate is that of the tilt: nothing else turns the horizon.
             for loop, answer in answers.items():
-                if not loops[loop].log:
+                if not loops[loop].speed_log:
                     values = scale * rates * np.abs(answer.tilt)
                     columns[f"{name}, whole rate, {loop}"] = (values, unit, "in the whole rate")
         seen = scale * np.abs(driven[disturbance][0 if part == "tilt" else 1])
@@ -128,13 +128,13 @@ def driven_compass(
     count = round(max(3 * period, min(40 * period, 2 * SCHULER_PERIOD)) / interval)
     times = interval * np.arange(count + 1)
     wave = np.sin(swing * times)
-    size = {"acceleration": 1e-2 / swing, "log_error": 0.1}.get(disturbance, 1e-7)
+    size = {"acceleration": 1e-2 / swing, "speed_log_error": 0.1}.get(disturbance, 1e-7)
     velocity, error = np.zeros((2, count + 1, 2))
     drift = np.zeros((count, 3))
     mean = -np.diff(np.cos(swing * times)) / (swing * interval)  # of the wave, in each interval
     if disturbance == "acceleration":
         velocity[:, 0] = size * wave
-    elif disturbance == "log_error":
+    elif disturbance == "speed_log_error":
         error[:, 0] = size * wave
     elif disturbance == "gyro_bias":
         drift[:, 2] = size * mean
@@ -143,7 +143,9 @@ def driven_compass(
         size = 1e-4
         push = way.increments.velocity + interval * size * mean[:, np.newaxis] * [1.0, 0.0, 0.0]
         way = way._replace(increments=way.increments._replace(velocity=push))
-    run = simulate_compass(way, drift, damping=damping, log=loop.log, log_error=error)
+    run = simulate_gyrocompass(
+        way, drift, damping=damping, speed_log=loop.speed_log, speed_log_error=error
+    )
     seen = np.stack([run.tilt[:, 1], EARTH_RATE * np.cos(latitude) * run.heading_error])
     unit = size * 1j * swing if disturbance == "acceleration" else size
     return _wave_in(run.times, seen, swing, loop) / unit

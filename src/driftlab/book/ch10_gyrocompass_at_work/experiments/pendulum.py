@@ -5,7 +5,7 @@ import numpy as np
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE, ship_manoeuvre
 from driftlab.earth import EARTH_RADIUS
-from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 
 EVERY = 6
 """Of so many steps of the simulation one is kept."""
@@ -21,8 +21,8 @@ def schuler_pendulum(
     log tells the velocity, so that it does not disturb the horizon.
     """
     way = ship_manoeuvre(SARATOV_LATITUDE, speed, turn=0.0)
-    run = simulate_compass(
-        way, np.zeros(3), tuning_factor=tuning_factor, damping=damping, tilt=tilt, log=True
+    run = simulate_gyrocompass(
+        way, np.zeros(3), tuning_factor=tuning_factor, damping=damping, tilt=tilt, speed_log=True
     )
     east_tilt, seen = run.tilt[:, 1], slice(None, None, EVERY)
     tilts, heading_error = run.tilt[seen], run.heading_error[seen]

@@ -8,7 +8,10 @@ from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, whole_number
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.noise import GyroNoise
-from driftlab.gyrocompass.trials import most_range_over_deviation, range_over_deviation
+from driftlab.gyrocompass.trials import (
+    largest_range_over_standard_deviation,
+    range_over_standard_deviation,
+)
 from driftlab.motion.vehicle import static_imu
 
 RESTARTS = 26
@@ -40,12 +43,17 @@ def restart_series(
     quiet = weak.samples(window, rng, restarts, 3)
     heading = align(rate + quiet.mean(axis=-1), force).heading
     raw = strong.samples(10 * window, rng)
-    deviations = np.array(
-        [[np.hypot(each.white, each.slow), each.deviation_of_mean(window)] for each in noises]
+    standard_deviations = np.array(
+        [
+            [np.hypot(each.white, each.gauss_markov), each.standard_deviation_of_mean(window)]
+            for each in noises
+        ]
     )
     sums = np.concatenate([[0.0], np.cumsum(raw)])
     averaged = (sums[window:] - sums[:-window]) / window
-    ranges = range_over_deviation(rng.standard_normal((whole_number(trials, "trials"), restarts)))
+    ranges = range_over_standard_deviation(
+        rng.standard_normal((whole_number(trials, "trials"), restarts))
+    )
     density, edges = np.histogram(ranges, min(120, 10 + len(ranges) // 100), density=True)
     least, most = rounded_ratio_range()
     sampled = strong.interval * np.arange(len(raw))
@@ -57,17 +65,29 @@ def restart_series(
             "rate": (raw[EVERY_FIFTH], "deg_per_h", "stronger noise of one gyro"),
             "mean_time": (sampled[window - 1 :][EVERY_FIFTH], "min", "of a mean's last sample"),
             "mean_rate": (averaged[EVERY_FIFTH], "deg_per_h", "the same noise, averaged"),
-            "range_over_deviation": ((edges[1:] + edges[:-1]) / 2, "", "middle of a class"),
+            "range_over_standard_deviation": (
+                (edges[1:] + edges[:-1]) / 2,
+                "",
+                "middle of a class",
+            ),
             "density": (density, "", "of probability in the class"),
             "paper_range_over_deviation": ([PAPER_SPREAD / PAPER_DEVIATION], "", "of the paper"),
             "paper_ratio_rounded_from": ([least], "", "least that rounds to the paper's"),
             "paper_ratio_rounded_to": ([most], "", "largest that rounds to the paper's"),
-            "largest_possible_ratio": ([most_range_over_deviation(restarts)], "", "of any values"),
+            "largest_possible_ratio": (
+                [largest_range_over_standard_deviation(restarts)],
+                "",
+                "of any values",
+            ),
         },
         {
             "window": (window, "", "samples that are averaged"),
             "white": (np.array([weak.white, strong.white]), "deg_per_h", "noise of a sample"),
-            "deviations": (deviations, "deg_per_h", "before and after averaging, by noise"),
+            "standard_deviations": (
+                standard_deviations,
+                "deg_per_h",
+                "before and after averaging, by noise",
+            ),
             "raw": (raw, "deg_per_h", "all samples of the stronger noise"),
             "ranges": (ranges, "", "over deviation, of as many normal values as restarts"),
             "edges": (edges, "", "of the classes of these"),

@@ -63,7 +63,7 @@ def settling_and_swing(
     )
     # The swing begins with the rate error of the moment; the tilt adds little to it.
     phase = np.sqrt(pull / EARTH_RADIUS) * working.times
-    begun = settled_deviation(random_walk, frequency) * np.cos(phase)
+    begun = damped_rate_standard_deviation(random_walk, frequency) * np.cos(phase)
     grown = schuler_deviation(random_walk, working.times, pull)
     level = EARTH_RATE * np.cos(latitude)
     tilt = np.linalg.norm(to_rotation_vector(quiet.attitude)[:, [0, 2]], axis=-1)
@@ -81,7 +81,7 @@ def settling_and_swing(
     )
 
 
-def settled_deviation(
+def damped_rate_standard_deviation(
     angle_random_walk: float, frequency: float, damping: float = float(np.sqrt(0.5))
 ) -> float:
     """Standard deviation of a damped horizon's rate under white gyro noise, once settled, rad/s.

@@ -6,7 +6,7 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE, ship_manoeuvre
 from driftlab.checks import FloatArray
 from driftlab.frames import to_euler_angles
-from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 from driftlab.motion.trajectory import Trajectory
 from driftlab.quaternion import rotate
 
@@ -22,7 +22,7 @@ def ship_with_compass(
     turn: float,
     gyro_bias: FloatArray,
     *,
-    log: bool = False,
+    speed_log: bool = False,
     latitude: float = SARATOV_LATITUDE,
     seen: tuple[float, float, int] = (0.0, np.inf, 1),
 ) -> DataTable:
@@ -31,12 +31,12 @@ def ship_with_compass(
     Seen are moments from one time to another, s, and of so many steps only one.
     """
     way = ship_manoeuvre(latitude, speed, course, turn)
-    run = simulate_compass(way, gyro_bias, log=log)
+    run = simulate_gyrocompass(way, gyro_bias, speed_log=speed_log)
     begin, end = np.searchsorted(run.times, seen[:2])
     at = slice(begin, end, seen[2])
     heading = np.unwrap(to_euler_angles(way.attitude[1:]).heading)
     # A log lets the compass subtract the speed error.
-    shown = (run.heading_error if log else run.heading_error + run.speed_error)[at]
+    shown = (run.heading_error if speed_log else run.heading_error + run.speed_error)[at]
     own, tilt, lean = run.speed_error[at], run.tilt[at], _lean(way)[at]
     plumb_line = np.hypot(*np.arctan(lean).T)
     return DataTable(

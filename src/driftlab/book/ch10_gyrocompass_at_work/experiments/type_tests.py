@@ -41,13 +41,15 @@ def compasses(compass: Gyrocompass, damping: float, worse: float) -> dict[str, G
     cheap = replace(
         compass,
         gyro_bias=(x, y, z),
-        gyro_noise=replace(noise, white=worse * noise.white, slow=worse * noise.slow),
+        gyro_noise=replace(
+            noise, white=worse * noise.white, gauss_markov=worse * noise.gauss_markov
+        ),
     )
     name = "the paper's compass" if compass == PAPER_COMPASS else "a compass"
     return {
         name: compass,
-        "the same, damped by a log": replace(compass, damping=damping, log=True),
-        "the same, damped without a log": replace(compass, damping=damping, log=False),
+        "the same, damped by a log": replace(compass, damping=damping, speed_log=True),
+        "the same, damped without a log": replace(compass, damping=damping, speed_log=False),
         f"gyros {worse:g} times worse": cheap,
     }
 

@@ -9,7 +9,7 @@ from scipy.constants import arcminute, degree, g, hour, milli
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship_manoeuvre
 from driftlab.checks import FloatArray
-from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
+from driftlab.gyrocompass.simulation import HeadingErrors, simulate_gyrocompass
 
 GYRO_BIAS: FloatArray = np.array([0.01, 0.03, 0.01]) * degree / hour
 """Of three gyros, rad/s."""
@@ -29,7 +29,7 @@ CRAFT_COMPASS: dict[str, Any] = {
     "tuning_factor": 1.05,
     "tilt": arcminute,
 }
-"""Its compass, with everything wrong at once: arguments of `simulate_compass`."""
+"""Its compass, with everything wrong at once: arguments of `simulate_gyrocompass`."""
 
 DAMPING = 0.5
 """Damping ratio of a horizon that is damped at sea."""
@@ -50,12 +50,14 @@ def errors_under_way(
     turn: float = QUARTER_TURN,
     tuning_factor: float = 1.0,
     damping: float = 0.0,
-    log: bool = False,
+    speed_log: bool = False,
 ) -> DataTable:
     """Return the errors of a compass on the ship's voyage."""
     way = ship_manoeuvre(latitude, speed, course, turn)
     return error_table(
-        simulate_compass(way, gyro_bias_body, tuning_factor=tuning_factor, damping=damping, log=log)
+        simulate_gyrocompass(
+            way, gyro_bias_body, tuning_factor=tuning_factor, damping=damping, speed_log=speed_log
+        )
     )
 
 
@@ -90,14 +92,14 @@ def ballistic_errors(
     """
     tunings: dict[str, dict[str, Any]] = {
         "Schuler: k2 = 1/R": {},
-        "Schuler, with a log": {"log": True},
+        "Schuler, with a log": {"speed_log": True},
         f"too stiff: k2 = {stiff:g}/R": {"tuning_factor": stiff},
         f"too soft: k2 = {soft:g}/R": {"tuning_factor": soft},
         f"damped: k2 = 1/R, ratio {damping:g}": {"damping": damping},
     }
     way = ship_manoeuvre(latitude, speed, course, turn)
     return several_horizons(
-        {name: simulate_compass(way, np.zeros(3), **tuning) for name, tuning in tunings.items()}
+        {name: simulate_gyrocompass(way, np.zeros(3), **tuning) for name, tuning in tunings.items()}
     )
 
 
@@ -120,7 +122,7 @@ def damping_at_sea(
     course: float = 0.0,
     turn: float = QUARTER_TURN,
     damping: float = DAMPING,
-    log_scale: float = LOG_SCALE,
+    speed_log_scale_factor: float = LOG_SCALE,
     current: tuple[float, float] = CURRENT,
 ) -> DataTable:
     """Return the errors of four horizons: undamped, and damped with a log or not.
@@ -128,17 +130,24 @@ def damping_at_sea(
     The log measures the velocity through the water, so that a current is missing in what it tells.
     """
     way = ship_manoeuvre(latitude, speed, course, turn)
-    log_error = log_scale * way.velocity - np.asarray(current)
+    speed_log_error = speed_log_scale_factor * way.velocity - np.asarray(current)
     logs: dict[str, dict[str, Any]] = {
-        "undamped, with a log": {"log": True},
+        "undamped, with a log": {"speed_log": True},
         "damped, no log": {"damping": damping},
-        "damped by a true log": {"damping": damping, "log": True},
-        "damped by a log with errors": {"damping": damping, "log": True, "log_error": log_error},
+        "damped by a true log": {"damping": damping, "speed_log": True},
+        "damped by a log with errors": {
+            "damping": damping,
+            "speed_log": True,
+            "speed_log_error": speed_log_error,
+        },
     }
-    runs = {name: simulate_compass(way, gyro_bias_body, **log) for name, log in logs.items()}
+    runs = {
+        name: simulate_gyrocompass(way, gyro_bias_body, **settings)
+        for name, settings in logs.items()
+    }
     return several_horizons(
         runs,
-        log_scale=(log_scale, "percent", "what the log tells too much"),
+        speed_log_scale_factor=(speed_log_scale_factor, "percent", "what the log tells too much"),
         current=(current, "m_per_s", "to North and East, which no log sees"),
     )
 
@@ -156,7 +165,7 @@ def operating_formula(
 ) -> DataTable:
     """Compare the compass of a fast craft with (operating heading), term by term."""
     way = ship_manoeuvre(latitude, speed, course, turn, CRAFT["interval"], pitch)
-    run = simulate_compass(
+    run = simulate_gyrocompass(
         way, gyro_bias_body, accelerometer_bias_body, tuning_factor=tuning_factor, tilt=tilt
     )
     gap = run.compass_error - run.formula.compass_angle

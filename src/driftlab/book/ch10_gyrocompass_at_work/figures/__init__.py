@@ -109,9 +109,9 @@ def _damping_caption(data: DataTable) -> str:
         f"top to bottom in the last half period. Damped by the log's velocity, {stays:.2f} of it "
         f"are left. Damped without a log, the heading runs off by {np.abs(alone).max():.1f} "
         f"degrees{beyond} after the ship has gathered way. The log with errors tells "
-        f"{data.log_scale:.0%} too much and does not see a current of {np.hypot(*data.current):g} "
-        f"m/s; it is off by up to {np.abs(wrong - damped).max():.2f} degrees from the run with the "
-        "true log."
+        f"{data.speed_log_scale_factor:.0%} too much and does not see a current of "
+        f"{np.hypot(*data.current):g} m/s; it is off by up to "
+        f"{np.abs(wrong - damped).max():.2f} degrees from the run with the true log."
     )
 
 
@@ -158,7 +158,7 @@ def _where(wanted: float, values: FloatArray, at: FloatArray, form: str) -> str:
 def _restarts_caption(data: DataTable) -> str:
     readings = experiments.spread_readings(data.ranges)
     taken, _, least, *_ = (probability for _, probability in readings.values())
-    averaged = data.shown("deviations")[:, 1]
+    averaged = data.shown("standard_deviations")[:, 1]
     weak, strong = data.shown("white")
     return (
         "The paper's Fig. 2, simulated from its description; its own plot is lost. Left: one "

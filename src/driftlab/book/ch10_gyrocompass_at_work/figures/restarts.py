@@ -35,7 +35,7 @@ def draw(drawing: Drawing) -> None:
               f"range of {restarts} values over deviation", xlabel="ratio")  # fmt: skip
     third.set(ylabel="probability density", ylim=(0, max(1.6, 1.6 * table.density.max())))
     third.set(xlim=(min(2.5, edges[0] - 0.1), max(7.3, most + 0.2)))
-    drawing.bar_chart(third, "range_over_deviation", "density", width=np.diff(edges),
+    drawing.bar_chart(third, "range_over_standard_deviation", "density", width=np.diff(edges),
                       color=SERIES[6]["color"], label="normal samples")  # fmt: skip
     drawing.level(third, x="paper_range_over_deviation", **SERIES[1],
                   label="0.3 over 0.054, as a range")  # fmt: skip

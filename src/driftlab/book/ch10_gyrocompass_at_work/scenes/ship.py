@@ -185,7 +185,7 @@ def ship_under_way(
     course: float = 0.0,
     turn: float = 2 * np.pi,
     gyro_bias: ArrayLike = (0.0, 0.0, 0.0),
-    log: bool = False,
+    speed_log: bool = False,
     window: str = "the turn",
     latitude: float = SARATOV_LATITUDE,
 ) -> DataTable:
@@ -194,7 +194,7 @@ def ship_under_way(
         raise ValueError(f"window: expected one of {', '.join(WINDOWS)}, got {window!r}.")
     bias = finite_array(gyro_bias, "gyro_bias", 3)
     return ship_with_compass(
-        speed, course, turn, bias, log=log, latitude=latitude, seen=WINDOWS[window]
+        speed, course, turn, bias, speed_log=speed_log, latitude=latitude, seen=WINDOWS[window]
     )
 
 
@@ -258,6 +258,6 @@ class ShipUnderWay(SceneExplorer):
             ")\n"
             f"course, turn = np.radians([{values['course']}, {values['turn']}])\n"
             f"run = ship_with_compass({values['speed']}, course, turn, {bias}, "
-            f"log={values['log']})\n"
+            f"speed_log={values['log']})\n"
             "print(np.degrees(run.shown_error[-1]))"
         )

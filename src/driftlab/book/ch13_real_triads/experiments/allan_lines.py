@@ -13,7 +13,7 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.gyrocompass.inertial_alignment import (
     align_in_inertial_frame,
-    inertial_alignment_deviation,
+    inertial_alignment_standard_deviation,
 )
 from driftlab.gyrocompass.noise_fit import fit_gyro_noise
 from driftlab.noise_terms import TERMS, NoiseFit, NoiseTerms, fit_noise_terms
@@ -68,10 +68,10 @@ def allan_lines(
     ):
         drawn = _drawn(allan_deviation(rates, step), fit, float(begin))
         columns |= {f"{gyro}_{name}": entry for name, entry in drawn.items()}
-        terms, deviations, bounds = _terms(fit)
+        terms, standard_deviations, bounds = _terms(fit)
         facts |= {
             f"{gyro}_terms": (terms, "", "coefficients in SI units; zero if not seen"),
-            f"{gyro}_uncertainty": (deviations, "", "their standard deviations"),
+            f"{gyro}_uncertainty": (standard_deviations, "", "their standard deviations"),
             f"{gyro}_bounds": (bounds, "", "95 % upper bounds of those that are not seen"),
             f"{gyro}_length": (len(rates) * step, "s", f"length of the {gyro} gyro's rest"),
         }
@@ -113,7 +113,7 @@ def walk_by_headings() -> float:
         raise ValueError("recording: expected one that knows its latitude.")
     found = align_in_inertial_frame(stretches(recording.increments(), LONGER), latitude)
     small = 1e-9  # rad/√s, for which the deviation is far from that of no knowledge
-    bound = float(inertial_alignment_deviation(latitude, LONGER, small))
+    bound = float(inertial_alignment_standard_deviation(latitude, LONGER, small))
     return spread(found.heading).high / bound * small
 
 
@@ -137,7 +137,7 @@ def _from(record: tuple[FloatArray, float], shortest: float, name: str) -> Allan
 
 def _terms(fit: NoiseFit) -> FloatArray:
     """Coefficients of the five terms, their deviations, and bounds of those not seen: (3, 5)."""
-    told = fit.deviations, fit.upper_bounds
+    told = fit.standard_deviations, fit.upper_bounds
     return np.array(
         [astuple(fit.terms), *([each.get(name, np.nan) for name in TERMS] for each in told)]
     )

@@ -9,11 +9,11 @@ from scipy.ndimage import maximum_filter1d
 from scipy.optimize import least_squares
 
 from driftlab.book.machinery.figure.data_table import DataTable
-from driftlab.calibration.poses import calibrate_by_poses
+from driftlab.calibration.multi_position import calibrate_multi_position
 from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import published
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rest_detection import rests
+from driftlab.recordings.static_detection import static_intervals
 
 from .force_and_gravity import force_and_gravity
 from .publishers_numbers import UNITS, imu_calib_triads
@@ -49,7 +49,7 @@ WAYS = (
 )
 """Ways of the authors' method: the first is their own, the third drops one rest of one unit."""
 WAY_NAMES = (*(way.name for way in WAYS), "rests and weights of this book")
-"""All ways, `calibrate_by_poses` the last."""
+"""All ways, `calibrate_multi_position` the last."""
 UNIT_NAMES = tuple(f"unit {number}" for number in range(1, 6))
 ODD = 1
 """Index of the unit for which ways matter."""
@@ -133,10 +133,15 @@ def fit_unit(log: Recording, way: Way) -> UnitFit:
 
 def weighted_fit(log: Recording) -> UnitFit:
     """Fit a unit by rests and weights of this book, in the authors' body axes."""
-    fit = calibrate_by_poses(log, rests(log), body_axes="lower triangle accelerometers")
+    fit = calibrate_multi_position(
+        log, static_intervals(log), body_axes="lower triangle accelerometers"
+    )
     found = fit.imu_errors
     return UnitFit(
-        found.accelerometer_error, found.gyro_error, fit.deviations.gyro_error, fit.turn_residuals
+        found.accelerometer_error_matrix,
+        found.gyro_error_matrix,
+        fit.standard_deviations.gyro_error_matrix,
+        fit.turn_residuals,
     )
 
 

@@ -82,8 +82,8 @@ def imu_tk_triads(triangle: int) -> tuple[Triad, Triad]:
     """Accelerometers and gyros of the Xsens as published, in the units of the record."""
     errors = IMU_TK[triangle].imu_errors
     return (
-        Triad(errors.accelerometer_error, errors.accelerometer_bias),
-        Triad(errors.gyro_error, errors.gyro_bias),
+        Triad(errors.accelerometer_error_matrix, errors.accelerometer_bias),
+        Triad(errors.gyro_error_matrix, errors.gyro_bias),
     )
 
 

@@ -3,7 +3,8 @@
 At rest the accelerometers must measure gravity in any pose. Then the gyros are asked to carry its
 direction from each rest to the next; the angle that is left is the residual of the move. IMU-TK
 (Tedaldi, Pretto, Menegatti 2014) and imu-calib (Mikov, Reginya, Moschevikin 2020) minimise the sum
-of these squares, each move with the same weight. `calibrate_by_poses` weighs them by their noise.
+of these squares, each move with the same weight. `calibrate_multi_position` weighs them by their
+noise.
 """
 
 from __future__ import annotations
@@ -75,7 +76,7 @@ def calibrated(rows: FloatArray, triad: Triad) -> FloatArray:
 
 def fit_gyros(
     log: Recording,
-    rests: Sequence[tuple[int, int]],
+    static_intervals: Sequence[tuple[int, int]],
     accelerometers: Triad,
     *,
     fixed_bias: FloatArray | None = None,
@@ -90,9 +91,11 @@ def fit_gyros(
     spline, or the interval times the first of them.
     """
     force = calibrated(force_and_gravity(log)[0], accelerometers)
-    down = np.array([force[begin:end][:leading].mean(axis=0) for begin, end in rests])
+    down = np.array([force[begin:end][:leading].mean(axis=0) for begin, end in static_intervals])
     down /= norm(down, axis=1, keepdims=True)
-    moves = _padded(log.angles() if spline else log.gyro * log.interval, rests, log.interval)
+    moves = _padded(
+        log.angles() if spline else log.gyro * log.interval, static_intervals, log.interval
+    )
     bias = np.zeros(3) if fixed_bias is None else fixed_bias
     # The unknowns are C = (I + K)^-1 and c = C b, in which calibrated angles are linear.
     matrix = np.eye(3) if fixed_error is None else np.asarray(inv(np.eye(3) + fixed_error), float)
@@ -117,9 +120,11 @@ def fit_gyros(
     )
 
 
-def _padded(angles: FloatArray, rests: Sequence[tuple[int, int]], interval: float) -> FloatArray:
+def _padded(
+    angles: FloatArray, static_intervals: Sequence[tuple[int, int]], interval: float
+) -> FloatArray:
     """Angles and interval (m, n, 4) of the moves between rests, and zeros after each one's end."""
-    moves = [angles[a[1] : b[0]] for a, b in pairwise(rests)]
+    moves = [angles[a[1] : b[0]] for a, b in pairwise(static_intervals)]
     padded = np.zeros((len(moves), max(map(len, moves)), 4))
     for row, move in zip(padded, moves, strict=True):
         row[: len(move), :3] = move

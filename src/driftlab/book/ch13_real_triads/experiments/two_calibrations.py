@@ -6,11 +6,11 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.body_frames import body_frame_rotation, change_body_frame
 from driftlab.book.machinery.figure.data_table import DataTable
-from driftlab.calibration.poses import calibrate_by_poses
+from driftlab.calibration.multi_position import calibrate_multi_position
 from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import published
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rest_detection import rests
+from driftlab.recordings.static_detection import static_intervals
 
 from .force_and_gravity import force_and_gravity
 from .publishers_numbers import TRIANGLES, imu_tk_triads
@@ -47,7 +47,9 @@ def two_calibrations() -> DataTable:
     fit = fit_gyros(log, cuts, ours, **how)
     nominal = fit_gyros(log, cuts, ours, **how, fixed_error=np.zeros((3, 3)))
     ours_turn = _to_lower_triangle(fit.gyros.error, ours.error)
-    weighted = calibrate_by_poses(log, rests(log), body_axes="lower triangle accelerometers")
+    weighted = calibrate_multi_position(
+        log, static_intervals(log), body_axes="lower triangle accelerometers"
+    )
     surplus = np.linalg.norm(calibrated(still, ours), axis=1) - gravity
     moves = np.arange(1, len(fit.residuals) + 1)
     of_two = "of both choices of axes"
@@ -70,8 +72,10 @@ def two_calibrations() -> DataTable:
             "gyro": (np.array(our_gyros), "", f"K {of_two}, by IMU-TK's method"),
             "accelerometer": (np.array(our_accelerometers), "", f"L {of_two}, likewise"),
             "deviation": (fit.deviation, "", "of K, by the scatter of its residuals"),
-            "by_poses": (weighted.imu_errors.gyro_error, "", f"K {poses}"),
-            "by_poses_deviation": (weighted.deviations.gyro_error, "", "its standard deviations"),
+            "by_poses": (weighted.imu_errors.gyro_error_matrix, "", f"K {poses}"),
+            "by_poses_deviation": (
+                weighted.standard_deviations.gyro_error_matrix, "", "its standard deviations"
+            ),
             "rotation": (
                 Rotation.from_matrix(turn.T).as_rotvec(), "rad", "from the first axes to the second"
             ),

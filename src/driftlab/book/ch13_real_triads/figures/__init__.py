@@ -109,7 +109,7 @@ FIGURES = (
             f"differs by at most {_up(data.by_sections - data.ferraris)}: the two "
             "share their cut. On the right, by how much each source may move an estimate; the "
             "heading at the end no sensor saw, and a standard deviation of "
-            f"{data.shown('stop_deviation'):.1f} degrees is assumed for it. "
+            f"{data.shown('stop_standard_deviation'):.1f} degrees is assumed for it. "
             f"{_credit('ferraris-session')}"
         ),
         recordings=("ferraris-session",),

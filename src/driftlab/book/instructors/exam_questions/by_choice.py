@@ -8,7 +8,7 @@ from scipy.constants import hour
 
 from driftlab.attitude.cayley import cayley_vector, shadow
 from driftlab.attitude.drift_on_cones import coning_drift
-from driftlab.attitude.integration import step_vectors
+from driftlab.attitude.integration import step_rotation_vectors
 from driftlab.calibration.kalman import correct, predict
 from driftlab.quaternion import from_rotation_vector
 
@@ -87,7 +87,7 @@ def coning_step(draw: Generator) -> Question:
     increments = 0.01 * np.array([first, second], dtype=float)
     half_angle, frequency = float(draw.choice([0.5, 0.8, 1.2, 1.5])), int(draw.integers(8, 26))
     samples = int(draw.choice([100, 200, 400]))
-    vector = step_vectors(increments, "rotation-vector-2")[0]
+    vector = step_rotation_vectors(increments, "rotation-vector-2")[0]
     correction = 1e4 * (vector - increments.sum(axis=0))
     cone = np.radians(half_angle), frequency
     drift, halved = (

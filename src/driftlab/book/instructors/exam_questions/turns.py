@@ -8,7 +8,7 @@ from numpy.random import Generator
 from driftlab.drift.characteristic_equation import exact_roots
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import drift_coefficient, principal_drifts
-from driftlab.drift.turn_calibration import earth_offset
+from driftlab.drift.turn_calibration import earth_rate_offset
 from driftlab.earth import EARTH_RATE
 from driftlab.quaternion import to_rotation_vector
 from driftlab.triad import measured_rate
@@ -30,12 +30,12 @@ def error_of_a_turn(draw: Generator) -> Question:
     turns = int(draw.integers(3, 8))
     axis = int(draw.integers(3))
     other = (axis + 1) % 3
-    triad_error = np.zeros((3, 3))
-    triad_error[axis, axis], triad_error[other, axis] = 1e-4 * scale, 1e-4 * cross
+    error_matrix = np.zeros((3, 3))
+    error_matrix[axis, axis], error_matrix[other, axis] = 1e-4 * scale, 1e-4 * cross
     omega = np.radians(rate) * np.eye(3)[axis]
     period = 2 * np.pi / np.radians(rate)
     times = np.array([turns * period, 0.5 * period])
-    error = to_rotation_vector(error_quaternion(omega, measured_rate(omega, triad_error), times))
+    error = to_rotation_vector(error_quaternion(omega, measured_rate(omega, error_matrix), times))
     along = error[0, axis] / ARCMIN
     across = float(np.linalg.norm(np.delete(error[1], axis))) / ARCMIN
     return Question(
@@ -95,18 +95,18 @@ def roots(draw: Generator) -> Question:
     row, column = draw.permutation(np.flatnonzero(omega))[:2]
     diagonal, beside = draw.integers(4, 10), draw.integers(4, 10)
     sign = int(draw.choice([-1, 1]))
-    triad_error = np.zeros((3, 3))
-    triad_error[row, row], triad_error[row, column] = 1e-3 * sign * np.array([diagonal, beside])
-    measured = measured_rate(omega, triad_error)
+    error_matrix = np.zeros((3, 3))
+    error_matrix[row, row], error_matrix[row, column] = 1e-3 * sign * np.array([diagonal, beside])
+    measured = measured_rate(omega, error_matrix)
     slow = float(exact_roots(omega, measured)[2].imag)
-    first = float(size * drift_coefficient(omega, triad_error))
+    first = float(size * drift_coefficient(omega, error_matrix))
     minutes = 10 / abs(slow) / 60  # the rates of this question are in deg/s
     return Question(
         "Two speeds",
         "02",
         "find the speeds at which an attitude error moves",
         7,
-        rf"A triad with $A = I + M$, $M = {matrix(1e3 * triad_error)}\cdot10^{{-3}}$, turns at "
+        rf"A triad with $A = I + M$, $M = {matrix(1e3 * error_matrix)}\cdot10^{{-3}}$, turns at "
         rf"$\omega = ({', '.join(map(str, triple))})$ degrees a second.",
         (
             Part(
@@ -210,7 +210,7 @@ def table_on_the_earth(draw: Generator) -> Question:
     true = float(draw.choice([-1, 1]) * draw.integers(15, 60))
     bias = float(draw.choice([-1, 1]) * draw.integers(4, 12)) * ARCSEC  # deg/h is arcsec/s
     noise = float(draw.choice([1.2, 1.5, 2.0, 2.4, 3.0]))
-    offset = float(earth_offset(latitude, np.radians(rate))) / ARCSEC
+    offset = float(earth_rate_offset(latitude, np.radians(rate))) / ARCSEC
     both = offset + bias / np.radians(rate) / ARCSEC
     readings = [round(true + both, 1), round(true - both, 1)]
     found, half = np.mean(readings), (readings[0] - readings[1]) / 2

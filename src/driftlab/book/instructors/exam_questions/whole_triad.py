@@ -6,7 +6,7 @@ import numpy as np
 from numpy.random import Generator
 
 from driftlab.body_frames import misalignment_vector
-from driftlab.triad import decompose
+from driftlab.triad import split_error_matrix
 
 from .question import Answer, Part, Question, matrix, shown
 from .turns import ARCSEC
@@ -31,7 +31,7 @@ def three_parts(draw: Generator) -> Question:
     for (i, j), mean in zip(((1, 2), (2, 0), (0, 1)), sums, strict=True):
         half = turn[3 - i - j]
         entries[i, j], entries[j, i] = mean - half, mean + half
-    parts = decompose(entries * ARCSEC)
+    parts = split_error_matrix(entries * ARCSEC)
     pairs = [parts.non_orthogonality[i, j] / ARCSEC for i, j in ((0, 1), (0, 2), (1, 2))]
     kappa = misalignment_vector(entries * ARCSEC) / ARCSEC
     start = -MOUNTINGS[words] @ kappa

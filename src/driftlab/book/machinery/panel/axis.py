@@ -31,6 +31,6 @@ def axis_code(values: Values) -> str:
     return f"direction_from_angles(*np.radians([{values['azimuth']}, {values['elevation']}]))"
 
 
-def matrix_code(triad_error: FloatArray) -> str:
+def matrix_code(error_matrix: FloatArray) -> str:
     """Code for a triad error."""
-    return f"1e-3 * np.array({np.round(1e3 * triad_error, 6).tolist()})"
+    return f"1e-3 * np.array({np.round(1e3 * error_matrix, 6).tolist()})"

@@ -8,9 +8,9 @@ import pytest
 from scipy.constants import degree, hour
 from scipy.stats import chi2
 
-from driftlab.calibration._told import Evidence, _random_walk, _unit, evidence, thinned
+from driftlab.calibration._filter_inputs import Evidence, _random_walk, _unit, evidence, thinned
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments
 from driftlab.quaternion import (
     conjugate,
@@ -60,7 +60,7 @@ def expected_of(start=UNTURNED, sway=0.0, noise=None, **prior):
     return SimpleNamespace(
         start=start,
         latitude=LATITUDE,
-        prior=sizes(PriorDeviations, **prior),
+        prior=sizes(PriorStandardDeviations, **prior),
         noise=noise or sizes(ImuNoise),
         reference=np.array([[0.0, -sway, 0.0]]),
     )
@@ -79,7 +79,7 @@ def test_a_right_record_contradicts_nothing():
         (expected_of(attitude=0.02), 0.02**2),
         (expected_of(gyro_bias=1e-3), (1e-3 * MIDDLE) ** 2),
         (expected_of(noise=noise(angle_random_walk=0.01)), 0.01**2 * MIDDLE),
-        (expected_of(scale=0.01), 0.01**2 * (1 + WAY * (1 + WAY) / 2)),
+        (expected_of(scale_factor=0.01), 0.01**2 * (1 + WAY * (1 + WAY) / 2)),
         (expected_of(installation=0.01), 2 * 0.01**2 * (1 + WAY * (1 + WAY) / 2)),
         (expected_of(accelerometer_bias=0.3), (0.3 / GRAVITY) ** 2),
         (expected_of(noise=noise(velocity_random_walk=0.2)), (0.2 / GRAVITY) ** 2 / WINDOW),
@@ -100,16 +100,18 @@ def test_gravity_counts_by_what_may_bend_it(expected, variance):
         (expected_of(gyro_bias=1e-3), 1e-3**2),
         (expected_of(noise=noise(angle_random_walk=1e-3)), 1e-3**2 / WINDOW),
         (expected_of(attitude=0.5), (0.5 * EARTH_RATE) ** 2),
-        (expected_of(scale=0.5), (0.5 * EARTH_RATE) ** 2),
+        (expected_of(scale_factor=0.5), (0.5 * EARTH_RATE) ** 2),
         (expected_of(installation=0.5), 2 * (0.5 * EARTH_RATE) ** 2),
     ],
 )
-@pytest.mark.parametrize("rests", [1, 3, 4, 5])
-def test_the_earths_rate_counts_at_three_quarters_of_the_rests(expected, variance, rests):
+@pytest.mark.parametrize("static_intervals", [1, 3, 4, 5])
+def test_the_earths_rate_counts_at_three_quarters_of_the_rests(
+    expected, variance, static_intervals
+):
     sizes = np.array([5.0, 1.0, 4.0, 2.0, 3.0])
     wrong = 2e-3 * sizes[:, np.newaxis] * [0.6, 0.0, -0.8]
-    rest = np.arange(COUNT) < rests
-    counted = np.sort(sizes[rest])[: int(np.ceil(0.75 * rests))]
+    rest = np.arange(COUNT) < static_intervals
+    counted = np.sort(sizes[rest])[: int(np.ceil(0.75 * static_intervals))]
     mean = np.mean((2e-3 * counted) ** 2)
     found = still(np.zeros(3), wrong, rest).misfit(expected)
     assert found == pytest.approx(np.sqrt(mean / (variance + LEAST_RATE**2)), rel=1e-9)

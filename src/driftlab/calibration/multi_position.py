@@ -27,17 +27,17 @@ from driftlab.checks import (
     truth_value,
     whole_pairs,
 )
-from driftlab.core import poses as core
+from driftlab.core import multi_position as core
 from driftlab.earth import EARTH_RATE, gravity as normal_gravity
-from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
+from driftlab.imu import ImuErrors, ImuNoise, PriorStandardDeviations
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rest_detection import Rests
+from driftlab.recordings.static_detection import StaticIntervals
 
 from .body_axes import POSE_AXES, imu_errors_in_frame
-from .calibration_history import InconsistentWarning
+from .calibration_history import InconsistentCalibrationWarning
 from .error_model import FULL
 
-_KINDS = ("rests", "moves", "rates")
+_KINDS = ("static_intervals", "moves", "rates")
 """Kinds of residuals: |force| at rest, tilt or turn after a move, gyros at rest."""
 _BLOCK = 0.5
 """Means over so many seconds show the slow part of the noise."""
@@ -55,7 +55,7 @@ class Consistency(NamedTuple):
     chi_square : float
         Sum of the squared residuals, each weighted by the noise, and by the excess of the other
         kinds.
-    freedom : float
+    degrees_of_freedom : float
         Number of residuals, less the share of the unknowns that they determine.
     lower, upper : float
         Bounds that `chi_square` keeps in 95 of 100 cases if noise is all there is; NaN where fewer
@@ -66,7 +66,7 @@ class Consistency(NamedTuple):
     """
 
     chi_square: float
-    freedom: float
+    degrees_of_freedom: float
     lower: float
     upper: float
     excess: float
@@ -83,7 +83,7 @@ class Consistency(NamedTuple):
             return "No freedom is left to test them."
         text = (
             f"Chi-square {self.chi_square:.4g}, {self.lower:.4g} to {self.upper:.4g} expected of "
-            f"noise with {self.freedom:.0f} degrees of freedom"
+            f"noise with {self.degrees_of_freedom:.0f} degrees of freedom"
         )
         if self.excess:
             return f"{text}: not noise alone, {self.excess:.3g} were added to its deviation."
@@ -93,7 +93,7 @@ class Consistency(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class PoseCalibration:
+class MultiPositionCalibration:
     """Errors of a unit as its poses show them.
 
     Attributes
@@ -106,9 +106,9 @@ class PoseCalibration:
         Names of the 24 numbers, those of `driftlab.calibration.FULL`.
     covariance : ndarray, shape (24, 24)
         Of the numbers in that order. Those that the choice of axes sets to zero have none.
-    deviations : ImuErrors
+    standard_deviations : ImuErrors
         Standard deviations of `imu_errors`.
-    sensitivity, sensitivity_deviations : ndarray, shape (3, 3)
+    sensitivity, sensitivity_standard_deviations : ndarray, shape (3, 3)
         What specific force adds to the gyros' bias, matrix G, rad/s for 1 m/s^2 in the same axes,
         and its deviations (those of the axes of the fit, which turn by less than a triad is bent);
         zero if it was not asked for.
@@ -136,9 +136,9 @@ class PoseCalibration:
     body_axes: str
     names: tuple[str, ...]
     covariance: FloatArray
-    deviations: ImuErrors
+    standard_deviations: ImuErrors
     sensitivity: FloatArray
-    sensitivity_deviations: FloatArray
+    sensitivity_standard_deviations: FloatArray
     gravity: float
     force_residuals: FloatArray
     turn_residuals: FloatArray
@@ -174,26 +174,27 @@ class PoseCalibration:
         )
 
 
-def calibrate_by_poses(
+def calibrate_multi_position(
     recording: Recording,
-    rests: Rests | Sequence[tuple[int, int]],
+    static_intervals: StaticIntervals | Sequence[tuple[int, int]],
     *,
     gravity: float | None = None,
     body_axes: str = "accelerometers",
     closed: Sequence[tuple[int, int]] = (),
     noise: ImuNoise | None = None,
-    prior: PriorDeviations | None = None,
+    prior: PriorStandardDeviations | None = None,
     gyro_bias: ArrayLike | None = None,
     sensitivity: bool = False,
-) -> PoseCalibration:
+) -> MultiPositionCalibration:
     r"""Estimate the errors of a unit from rests in several poses and the moves between them.
 
     Parameters
     ----------
     recording : Recording
         With accelerometers; rates or increments.
-    rests : Rests or sequence of (int, int)
-        From `driftlab.recordings.rests`, or the first row of each rest and the first after it.
+    static_intervals : Rests or sequence of (int, int)
+        From `driftlab.recordings.static_intervals`, or the first row of each rest and the first
+        after it.
     gravity : float, optional
         m/s^2. If not given, the record's own, or normal gravity at its latitude.
     body_axes : str
@@ -203,7 +204,7 @@ def calibrate_by_poses(
     noise : ImuNoise, optional
         White noise of the sensors. If not given, it is taken from the rests: from means over half a
         second, which know of slow noise what white noise hides.
-    prior : PriorDeviations, optional
+    prior : PriorStandardDeviations, optional
         How large the errors may be, if that is known: for records with too few poses. Its
         `attitude` is not used.
     gyro_bias : array_like, shape (3,), optional
@@ -215,7 +216,7 @@ def calibrate_by_poses(
 
     Returns
     -------
-    PoseCalibration
+    MultiPositionCalibration
         Estimates with their covariance, residuals and tests.
 
     Raises
@@ -227,12 +228,12 @@ def calibrate_by_poses(
 
     Warns
     -----
-    InconsistentWarning
+    InconsistentCalibrationWarning
         If the accelerometers show quite another gravity at rest.
 
     See Also
     --------
-    driftlab.recordings.rests : The rests of a record.
+    driftlab.recordings.static_intervals : The rests of a record.
     calibrate : On a turntable.
     to_json : Keep what was found.
 
@@ -250,7 +251,7 @@ def calibrate_by_poses(
     Where the residuals of one kind are larger than noise allows (0.975 quantile), a deviation is
     added to each of that kind, so that they fit (random effects, as Paule and Mandel have it);
     without this the stated deviations of real units would be many times too small. See
-    `PoseCalibration.consistency`.
+    `MultiPositionCalibration.consistency`.
 
     Over a closed path the turn itself must vanish, all three components. For k whole turns about
     one axis n the turn left over, by :math:`2 \pi k`, is the estimate of n^T Sigma n of
@@ -287,12 +288,14 @@ def calibrate_by_poses(
     ...     angle[begin : begin + 100] = dt * turn * (1 - np.cos(2 * np.pi * second))[:, np.newaxis]
     >>> attitude = integrate(angle, "memory-4")
     >>> velocity = dt * rotate(attitude * [-1, -1, -1, 1], [0, 0, 9.81])
-    >>> unit = TYPICAL_ERRORS._replace(gyro_error=0.01 * rng.standard_normal((3, 3)))
+    >>> unit = TYPICAL_ERRORS._replace(gyro_error_matrix=0.01 * rng.standard_normal((3, 3)))
     >>> _, angle, velocity = measure(Increments(dt, angle, velocity), unit, ImuNoise(), rng)
     >>> log = Recording(angle, velocity, dt, "increments")
     >>> rows = [(begin, begin + 190) for begin in range(5, 3800, 300)]
-    >>> found = calibrate_by_poses(log, rows, gravity=9.81, body_axes="averaged accelerometers")
-    >>> error = found.imu_errors.gyro_error - unit.gyro_error
+    >>> found = calibrate_multi_position(
+    ...     log, rows, gravity=9.81, body_axes="averaged accelerometers"
+    ... )
+    >>> error = found.imu_errors.gyro_error_matrix - unit.gyro_error_matrix
     >>> bool(np.abs(error).max() < 1e-4), found.consistency["moves"].holds
     (True, True)
     """
@@ -301,7 +304,7 @@ def calibrate_by_poses(
     truth_value(sensitivity, "sensitivity")
     if recording.accelerometer is None:
         raise ValueError("recording: expected one with accelerometers, got one without.")
-    rows = _checked_rows(rests, len(recording))
+    rows = _checked_rows(static_intervals, len(recording))
     pairs = _checked_pairs(closed, len(rows))
     assumed = _gravity(gravity, recording.gravity, recording.latitude)
     interval = recording.interval
@@ -309,7 +312,9 @@ def calibrate_by_poses(
     _, angle, velocity = recording.increments()
     way, algorithm = np.concatenate([angle[move] for move in moves]), CONING_ALGORITHMS["memory-4"]
     if len(way) < algorithm.window:
-        raise ValueError(f"rests: expected moves between them, got {len(way)} rows of moves.")
+        raise ValueError(
+            f"static_intervals: expected moves between them, got {len(way)} rows of moves."
+        )
     share = 1.0 if recording.kind == "rates" else 1 / interval
     rate, force = recording.gyro, recording.accelerometer
     poses = core.Poses(
@@ -336,14 +341,16 @@ def calibrate_by_poses(
     ahead, back = np.split(_in_axes(moved, body_axes)[0], 2)
     change = (ahead - back).T / (2 * step)
     covariance = change @ fit.covariance @ change.T
-    return PoseCalibration(
+    return MultiPositionCalibration(
         imu_errors=_imu_errors(state),
         body_axes=body_axes,
         names=FULL.names[6:],
         covariance=covariance,
-        deviations=_imu_errors(np.sqrt(np.maximum(covariance.diagonal(), 0.0))),
+        standard_deviations=_imu_errors(np.sqrt(np.maximum(covariance.diagonal(), 0.0))),
         sensitivity=felt,
-        sensitivity_deviations=np.sqrt(fit.covariance.diagonal()[core.SENSITIVITY]).reshape(3, 3),
+        sensitivity_standard_deviations=np.sqrt(
+            fit.covariance.diagonal()[core.SENSITIVITY]
+        ).reshape(3, 3),
         gravity=assumed,
         force_residuals=fit.force,
         turn_residuals=fit.turn,
@@ -359,8 +366,8 @@ def calibrate_by_poses(
 
 def _in_axes(unknowns: FloatArray, body_axes: str) -> tuple[FloatArray, FloatArray]:
     """The 24 numbers (..., 24) of unknowns (..., 30), and G (..., 3, 3), in the chosen axes."""
-    force_error, force_bias, gyro_error, gyro_bias, felt = core.matrices(unknowns)
-    errors = ImuErrors(gyro_bias, gyro_error, force_bias, force_error)
+    force_error, force_bias, gyro_error_matrix, gyro_bias, felt = core.matrices(unknowns)
+    errors = ImuErrors(gyro_bias, gyro_error_matrix, force_bias, force_error)
     errors, turn = imu_errors_in_frame(errors, body_axes)
     return FULL.state(errors)[..., 6:], felt @ np.swapaxes(turn, -1, -2)
 
@@ -381,19 +388,23 @@ def _gravity(given: float | None, own: float | None, latitude: float | None) -> 
     )
 
 
-def _checked_rows(rests: Rests | Sequence[tuple[int, int]], count: int) -> list[tuple[int, int]]:
-    given = rests.rows if isinstance(rests, Rests) else rests
-    rows = [(int(begin), int(end)) for begin, end in whole_pairs(given, "rests")]
+def _checked_rows(
+    static_intervals: StaticIntervals | Sequence[tuple[int, int]], count: int
+) -> list[tuple[int, int]]:
+    given = (
+        static_intervals.rows if isinstance(static_intervals, StaticIntervals) else static_intervals
+    )
+    rows = [(int(begin), int(end)) for begin, end in whole_pairs(given, "static_intervals")]
     if len(rows) < 2:
         raise ValueError(
-            f"rests: expected at least two, with a move between them, got {len(rows)}."
+            f"static_intervals: expected at least two, with a move between them, got {len(rows)}."
         )
     after = 0
     for begin, end in rows:
         if not after <= begin < end - 1 < count:
             raise ValueError(
-                f"rests: expected rows in order, two at least each, of the {count} of the "
-                f"record, got {begin} to {end} after {after}."
+                f"static_intervals: expected rows in order, two at least each, of the {count} of "
+                f"the record, got {begin} to {end} after {after}."
             )
         after = end
     return rows
@@ -427,10 +438,10 @@ def _moves(
     return [slice(first, last) for first, last in zip(end[:-1], begin[1:], strict=True)]
 
 
-def _sizes(prior: PriorDeviations) -> FloatArray:
+def _sizes(prior: PriorStandardDeviations) -> FloatArray:
     """Deviations (30,) of the unknowns; one g may change a bias by its own size."""
-    checked_instance(prior, PriorDeviations, "prior")
-    triad = np.where(np.eye(3, dtype=bool), prior.scale, prior.installation)
+    checked_instance(prior, PriorStandardDeviations, "prior")
+    triad = np.where(np.eye(3, dtype=bool), prior.scale_factor, prior.installation)
     sizes = np.concatenate(
         [
             triad[core.LOWER],
@@ -486,8 +497,8 @@ def _warn_of_gravity(force: FloatArray, gravity: float) -> None:
     sizes = np.linalg.norm(force, axis=-1)
     if not sizes.all():
         raise ValueError(
-            "rests: expected accelerometers that feel gravity at each rest, got zeros in rest "
-            f"{int(np.argmin(sizes))}."
+            "static_intervals: expected accelerometers that feel gravity at each rest, got zeros "
+            f"in rest {int(np.argmin(sizes))}."
         )
     found = float(np.median(sizes))
     if not 1 / _GRAVITY_FACTOR < found / gravity < _GRAVITY_FACTOR:
@@ -495,6 +506,6 @@ def _warn_of_gravity(force: FloatArray, gravity: float) -> None:
             f"gravity: expected what the accelerometers show at rest within a factor of "
             f"{_GRAVITY_FACTOR:g}, got {gravity:g} m/s^2, and they show {found:.4g}: the "
             "scale of all three would be wrong by that. Is it another planet's, or their unit?",
-            InconsistentWarning,
+            InconsistentCalibrationWarning,
             stacklevel=3,
         )

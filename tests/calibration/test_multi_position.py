@@ -11,15 +11,22 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.attitude import CONING_ALGORITHMS, integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
-from driftlab.calibration import FULL, InconsistentWarning
+from driftlab.calibration import FULL, InconsistentCalibrationWarning
 from driftlab.calibration.body_axes import POSE_AXES, imu_errors_in_frame
-from driftlab.calibration.poses import Consistency, _variances, calibrate_by_poses
-from driftlab.core import poses as core
-from driftlab.core.poses import UNKNOWNS, PoseModel, Poses, Variances, fit_poses, row_variance
+from driftlab.calibration.multi_position import Consistency, _variances, calibrate_multi_position
+from driftlab.core import multi_position as core
+from driftlab.core.multi_position import (
+    UNKNOWNS,
+    PoseModel,
+    Poses,
+    Variances,
+    fit_poses,
+    row_variance,
+)
 from driftlab.core.quaternion import conjugate
 from driftlab.drift import turn_estimate
 from driftlab.earth import EARTH_RATE
-from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise, PriorDeviations
+from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments, measure
 from driftlab.quaternion import rotate
 from driftlab.recordings.recording import Recording
@@ -28,7 +35,9 @@ from support import assert_normal, chi_bounds, largest
 GRAVITY = 9.81
 NOISE = ImuNoise(angle_random_walk=1e-4, velocity_random_walk=1e-3)
 QUIET = ImuNoise(angle_random_walk=1e-9, velocity_random_walk=1e-8)
-WIDE = PriorDeviations(gyro_bias=1e-3, accelerometer_bias=0.1, scale=0.05, installation=0.05)
+WIDE = PriorStandardDeviations(
+    gyro_bias=1e-3, accelerometer_bias=0.1, scale_factor=0.05, installation=0.05
+)
 RATE, STILL, MOVE = 50.0, 75, 50  # Hz, rows
 
 
@@ -69,10 +78,10 @@ def in_axes(errors, body_axes):
     """True errors in the axes of a choice."""
     if body_axes != "lower triangle accelerometers":
         return imu_errors_in_frame(errors, body_axes)[0]
-    turn = body_frame_rotation(errors.accelerometer_error, frame="lower triangle")
+    turn = body_frame_rotation(errors.accelerometer_error_matrix, frame="lower triangle")
     return errors._replace(
-        gyro_error=change_body_frame(errors.gyro_error, turn),
-        accelerometer_error=change_body_frame(errors.accelerometer_error, turn),
+        gyro_error_matrix=change_body_frame(errors.gyro_error_matrix, turn),
+        accelerometer_error_matrix=change_body_frame(errors.accelerometer_error_matrix, turn),
     )
 
 
@@ -81,7 +90,9 @@ def test_a_unit_without_noise_is_found_exactly_in_any_axes(body_axes):
     true, rows = by_hand()
     errors = unit(1)
     record = log(measure(true, errors))
-    found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=QUIET, body_axes=body_axes)
+    found = calibrate_multi_position(
+        record, rows, gravity=GRAVITY, noise=QUIET, body_axes=body_axes
+    )
     for one, other in zip(found.imu_errors, in_axes(errors, body_axes), strict=True):
         # The velocity of a rest, a mean over 71 rows, is exact; the way is off by what the
         # integration loses, some 1e-7 rad at 0.1 rad a step.
@@ -105,11 +116,11 @@ def test_rates_say_what_increments_say():
         times=5.0 + np.arange(len(record)) / RATE,
     )
     found, again = (
-        calibrate_by_poses(r, rows, gravity=GRAVITY, noise=QUIET) for r in (record, stamped)
+        calibrate_multi_position(r, rows, gravity=GRAVITY, noise=QUIET) for r in (record, stamped)
     )
     truth = in_axes(errors, "accelerometers")
     # The coning that samples lose goes with the square of the step: measured, 3e-4 here.
-    assert largest(found.imu_errors.gyro_error - truth.gyro_error) < 1e-3
+    assert largest(found.imu_errors.gyro_error_matrix - truth.gyro_error_matrix) < 1e-3
     for one, other in zip(found.imu_errors, again.imu_errors, strict=True):
         np.testing.assert_allclose(one, other, rtol=0, atol=1e-9)
 
@@ -201,14 +212,14 @@ def trials(noise):
     scaled, squares, freedoms, bare = [], np.zeros(3), np.zeros(3), []
     for _ in range(RUNS):
         record = log(measure(with_earth(true, rng), errors, noise, rng))
-        found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=noise)
+        found = calibrate_multi_position(record, rows, gravity=GRAVITY, noise=noise)
         wrong = (FULL.state(found.imu_errors) - FULL.state(truth))[6:]
         free = found.covariance.diagonal() > 0
         root = np.linalg.cholesky(found.covariance[np.ix_(free, free)])
         scaled.append(np.linalg.solve(root, wrong[free]))
         tests = list(found.consistency.values())
         squares += [test.chi_square for test in tests]
-        freedoms += [test.freedom for test in tests]
+        freedoms += [test.degrees_of_freedom for test in tests]
         bare.append(found.imu_errors.gyro_bias - truth.gyro_bias)
     return np.array(scaled), squares, freedoms, np.array(bare)
 
@@ -260,16 +271,16 @@ def test_variances_are_those_of_means_and_of_turns():
     poses = poses_of(log(true), rows)
     lengths = np.array([[e - b] for b, e in rows])
     samples = RATE * noisy.angle, RATE * noisy.velocity
-    told, colour = _variances(*samples, rows, poses, NOISE)
-    np.testing.assert_allclose(told.force, 1e-3**2 * RATE / lengths * np.ones(3))
-    np.testing.assert_allclose(told.rate, 1e-4**2 * RATE / lengths * np.ones(3))
-    np.testing.assert_allclose(told.move, 1e-4**2 / RATE * np.diff(poses.edges))
-    assert told.earth == pytest.approx(EARTH_RATE**2 / 3)
+    inputs, colour = _variances(*samples, rows, poses, NOISE)
+    np.testing.assert_allclose(inputs.force, 1e-3**2 * RATE / lengths * np.ones(3))
+    np.testing.assert_allclose(inputs.rate, 1e-4**2 * RATE / lengths * np.ones(3))
+    np.testing.assert_allclose(inputs.move, 1e-4**2 / RATE * np.diff(poses.edges))
+    assert inputs.earth == pytest.approx(EARTH_RATE**2 / 3)
     assert np.isnan(colour).all()
     found, _ = _variances(*samples, rows, poses, None)
     # Two means in each of four rests, of three axes: a chi-square with 12 degrees or more.
-    assert 0.3 < np.mean(found.force / told.force) < 2.5
-    assert 0.3 < np.mean(found.rate / told.rate) < 2.5
+    assert 0.3 < np.mean(found.force / inputs.force) < 2.5
+    assert 0.3 < np.mean(found.rate / inputs.rate) < 2.5
 
 
 def test_noise_of_the_rests_is_noise_enough():
@@ -277,9 +288,9 @@ def test_noise_of_the_rests_is_noise_enough():
     of half a second and three axes make 45 degrees of freedom or more, two triads."""
     true, rows = by_hand()
     record = log(measure(true, unit(4), NOISE, np.random.default_rng(1)))
-    own = calibrate_by_poses(record, rows, gravity=GRAVITY)
-    told = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE)
-    ratio = own.deviations.gyro_error / told.deviations.gyro_error
+    own = calibrate_multi_position(record, rows, gravity=GRAVITY)
+    inputs = calibrate_multi_position(record, rows, gravity=GRAVITY, noise=NOISE)
+    ratio = own.standard_deviations.gyro_error_matrix / inputs.standard_deviations.gyro_error_matrix
     low, high = np.sqrt(chi_bounds(30))
     assert (ratio > low).all()
     assert (ratio < high).all()
@@ -293,10 +304,10 @@ def test_what_noise_does_not_explain_is_added_and_said():
     velocity = measured.velocity.copy()
     for begin, end in rows:  # each pose has an error of its own, of 0.02 m/s^2
         velocity[begin - 2 : end + 2] += 0.02 / RATE * rng.standard_normal(3)
-    found = calibrate_by_poses(
+    found = calibrate_multi_position(
         log(measured._replace(velocity=velocity)), rows, gravity=GRAVITY, noise=NOISE
     )
-    test = found.consistency["rests"]
+    test = found.consistency["static_intervals"]
     assert not test.holds
     # Its square is estimated from the 5 or so degrees of freedom that 15 rests leave.
     assert 0.02 / 4 < test.excess < 0.02 * 4
@@ -317,14 +328,14 @@ def test_with_what_is_missing_the_noise_explains_the_residuals():
         angle[end + 2 : begin - 2] += 0.02 / MOVE * rng.standard_normal(3)
     record = log(measured._replace(angle=angle, velocity=velocity))
     poses = poses_of(record, rows)._replace(velocity=None)
-    told, _ = _variances(RATE * angle, RATE * velocity, rows, poses, NOISE)
-    found = fit_poses(poses, told, None, None)
+    inputs, _ = _variances(RATE * angle, RATE * velocity, rows, poses, NOISE)
+    found = fit_poses(poses, inputs, None, None)
     excess = found.tests[:, 4]
     assert excess.min() > 0
-    more = told._replace(
-        force=told.force + excess[0] ** 2,
-        move=told.move + excess[1] ** 2,
-        rate=told.rate + excess[2] ** 2,
+    more = inputs._replace(
+        force=inputs.force + excess[0] ** 2,
+        move=inputs.move + excess[1] ** 2,
+        rate=inputs.rate + excess[2] ** 2,
     )
     again = fit_poses(poses, more, None, None)
     np.testing.assert_allclose(again.tests[:, 0], again.tests[:, 1], rtol=3e-3)
@@ -346,7 +357,9 @@ def test_the_longest_move_is_that_of_them_all():
     true, rows = by_hand()
     begin, end = rows[3]
     rows = [*rows[:3], (begin + 10, end), *rows[4:]]
-    found = calibrate_by_poses(log(measure(true, unit(3))), rows, gravity=GRAVITY, noise=NOISE)
+    found = calibrate_multi_position(
+        log(measure(true, unit(3))), rows, gravity=GRAVITY, noise=NOISE
+    )
     assert found.longest_move == pytest.approx((MOVE + 4 + 10) / RATE)
 
 
@@ -360,7 +373,7 @@ def test_what_is_left_is_told_in_sentences(monkeypatch):
         return tried[-1]
 
     monkeypatch.setattr(core, "least_squares", least_squares)
-    found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE)
+    found = calibrate_multi_position(record, rows, gravity=GRAVITY, noise=NOISE)
     assert found.iterations == sum(each.nfev for each in tried)
     assert found.longest_move == pytest.approx((MOVE + 4) / RATE)
     assert found.earth_turn == pytest.approx(EARTH_RATE * found.longest_move)
@@ -396,14 +409,14 @@ def test_gyros_that_feel_force():
     felt = np.random.default_rng(6).normal(0, 1e-4, (3, 3))  # rad/s for 1 m/s^2
     measured = measure(true, unit(4), NOISE, np.random.default_rng(7))
     record = log(measured._replace(angle=measured.angle + true.velocity @ felt.T))
-    blind = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE)
+    blind = calibrate_multi_position(record, rows, gravity=GRAVITY, noise=NOISE)
     assert not blind.consistency["rates"].holds
-    found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE, sensitivity=True)
+    found = calibrate_multi_position(record, rows, gravity=GRAVITY, noise=NOISE, sensitivity=True)
     assert found.consistency["rates"].holds
     turn = body_frame_rotation(
-        None or unit(4).gyro_error, unit(4).accelerometer_error, "accelerometers"
+        None or unit(4).gyro_error_matrix, unit(4).accelerometer_error_matrix, "accelerometers"
     )
-    wrong = (found.sensitivity - felt @ turn.T) / found.sensitivity_deviations
+    wrong = (found.sensitivity - felt @ turn.T) / found.sensitivity_standard_deviations
     assert largest(wrong) < 4.9  # one in a million, each
     assert not blind.sensitivity.any()
 
@@ -417,13 +430,13 @@ def test_one_closed_turn_is_larins_estimate_to_first_order(axis):
     bent = np.random.default_rng(3).standard_normal((3, 3))
 
     def difference(size):
-        record = log(measure(true, NO_ERRORS._replace(gyro_error=size * bent)))
-        found = calibrate_by_poses(
+        record = log(measure(true, NO_ERRORS._replace(gyro_error_matrix=size * bent)))
+        found = calibrate_multi_position(
             record, rows, gravity=GRAVITY, noise=NOISE, prior=WIDE, closed=[(0, 1)]
         )
         way = record.gyro[rows[0][1] : rows[1][0]]
         estimate = turn_estimate(integrate(way, "memory-4")[-1], n)
-        return abs(n @ found.imu_errors.gyro_error @ n - estimate)
+        return abs(n @ found.imu_errors.gyro_error_matrix @ n - estimate)
 
     for size in (1e-2, 1e-3, 1e-4):
         assert difference(size) < 20 * size**2
@@ -436,15 +449,20 @@ def test_closed_paths_over_several_moves_add_what_gravity_does_not_show():
     true, rows = moved([*back, *turns])
     errors = unit(4)
     record = log(measure(true, errors, NOISE, np.random.default_rng(9)))
-    truth = in_axes(errors, "accelerometers").gyro_error
+    truth = in_axes(errors, "accelerometers").gyro_error_matrix
     without, with_path = (
-        calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE, closed=closed)
+        calibrate_multi_position(record, rows, gravity=GRAVITY, noise=NOISE, closed=closed)
         for closed in ((), [(0, 4)])
     )
     # Two estimates, 1e-4 apart, and each has the deviations of its own place.
-    assert (with_path.deviations.gyro_error <= without.deviations.gyro_error * (1 + 1e-4)).all()
+    assert (
+        with_path.standard_deviations.gyro_error_matrix
+        <= without.standard_deviations.gyro_error_matrix * (1 + 1e-4)
+    ).all()
     assert len(with_path.turn_residuals) == len(without.turn_residuals) + 1
-    wrong = (with_path.imu_errors.gyro_error - truth) / with_path.deviations.gyro_error
+    wrong = (
+        with_path.imu_errors.gyro_error_matrix - truth
+    ) / with_path.standard_deviations.gyro_error_matrix
     assert largest(wrong) < 4.9
 
 
@@ -453,29 +471,33 @@ def test_a_move_counts_by_gravity_unless_it_alone_is_a_closed_path():
     true, rows = moved([*whole, *np.random.default_rng(2).uniform(-2.5, 2.5, (10, 3))])
     record = log(measure(true, unit(4), NOISE, np.random.default_rng(9)))
     for closed, count in (((), 12), ([(0, 1)], 12), ([(0, 2)], 13), ([(0, 1), (0, 2)], 13)):
-        found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE, closed=closed)
+        found = calibrate_multi_position(record, rows, gravity=GRAVITY, noise=NOISE, closed=closed)
         assert len(found.turn_residuals) == count
 
 
 def test_accelerometers_that_are_dead_are_told():
     true, rows = by_hand()
     record = log(true._replace(velocity=np.zeros_like(true.velocity)))
-    with pytest.raises(ValueError, match=r"^rests: expected accelerometers that feel .* in rest 0"):
-        calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE)
+    with pytest.raises(
+        ValueError, match=r"^static_intervals: expected accelerometers that feel .* in rest 0"
+    ):
+        calibrate_multi_position(record, rows, gravity=GRAVITY, noise=NOISE)
 
 
 def test_too_few_poses_leave_numbers_in_the_dark():
     true, rows = moved([[0.5, 0, 0], [0, 0, 1.0], [-0.4, 0, 0]])
     record = log(measure(true, unit(4), NOISE, np.random.default_rng(1)))
     with pytest.raises(
-        ValueError, match=r"^rests: expected poses that show all 21 numbers"
+        ValueError, match=r"^static_intervals: expected poses that show all 21 numbers"
     ) as info:
-        calibrate_by_poses(record, rows, gravity=GRAVITY)
+        calibrate_multi_position(record, rows, gravity=GRAVITY)
     assert "accelerometer bias x" in str(info.value)
     assert "gyro bias" not in str(info.value)  # the rests show it
-    found = calibrate_by_poses(record, rows, gravity=GRAVITY, prior=WIDE)
-    assert found.deviations.accelerometer_bias[0] == pytest.approx(0.1, rel=0.2)  # still dark
-    assert found.deviations.gyro_bias.max() < 1e-3
+    found = calibrate_multi_position(record, rows, gravity=GRAVITY, prior=WIDE)
+    assert found.standard_deviations.accelerometer_bias[0] == pytest.approx(
+        0.1, rel=0.2
+    )  # still dark
+    assert found.standard_deviations.gyro_bias.max() < 1e-3
 
 
 @pytest.mark.parametrize(("seed", "most"), [(1, 0.01), (2, 0.002)])
@@ -483,15 +505,17 @@ def test_saturated_gyros_are_refused_in_a_sentence(seed, most):
     true, rows = by_hand()
     _, angle, velocity = measure(true, unit(seed), QUIET, 1)
     record = log(Increments(1 / RATE, np.clip(angle, -most, most), velocity))
-    with pytest.raises(ValueError, match=r"^rests: expected residuals that a fit can settle on"):
-        calibrate_by_poses(record, rows, gravity=GRAVITY)
+    with pytest.raises(
+        ValueError, match=r"^static_intervals: expected residuals that a fit can settle on"
+    ):
+        calibrate_multi_position(record, rows, gravity=GRAVITY)
 
 
 def test_turns_about_two_axes_leave_the_third_gyro_in_the_dark():
     turns = np.random.default_rng(2).uniform(-2.5, 2.5, (14, 3)) * [1, 0, 0]
     true, rows = moved(turns)
     with pytest.raises(ValueError, match=r"in the dark.*gyro scale y.*gyro scale z"):
-        calibrate_by_poses(
+        calibrate_multi_position(
             log(measure(true, unit(4), NOISE, np.random.default_rng(1))), rows, gravity=GRAVITY
         )
 
@@ -501,12 +525,12 @@ TRUE, ROWS = by_hand()
 
 def test_gravity_of_another_planet_is_warned_of():
     with pytest.warns(
-        InconsistentWarning, match=r"^gravity: .* got 3\.71 m/s\^2, and they show 9\.8"
+        InconsistentCalibrationWarning, match=r"^gravity: .* got 3\.71 m/s\^2, and they show 9\.8"
     ):
-        calibrate_by_poses(log(TRUE), ROWS, gravity=3.71, noise=NOISE)
+        calibrate_multi_position(log(TRUE), ROWS, gravity=3.71, noise=NOISE)
 
 
-GOOD = {"recording": log(TRUE), "rests": ROWS, "gravity": GRAVITY, "noise": NOISE}
+GOOD = {"recording": log(TRUE), "static_intervals": ROWS, "gravity": GRAVITY, "noise": NOISE}
 
 
 @pytest.mark.parametrize(
@@ -516,27 +540,36 @@ GOOD = {"recording": log(TRUE), "rests": ROWS, "gravity": GRAVITY, "noise": NOIS
         ({"recording": Recording(TRUE.angle, None, 0.02, "increments")}, "^recording: .* without"),
         ({"gravity": None}, "^gravity: expected m/s.2, because the record knows neither"),
         ({"gravity": -9.8}, r"^gravity: expected m/s\^2, 1\.2 to 50, got -9\.8"),
-        ({"rests": ROWS[:1]}, "^rests: expected at least two, .* got 1"),
-        ({"rests": [(0, 500), (500, 900)]}, "^rests: expected moves between them, got 0 rows"),
-        ({"rests": ROWS[::-1]}, "^rests: expected rows in order"),
-        ({"rests": [*ROWS, (10**6, 10**6 + 9)]}, "^rests: expected rows in order"),
+        ({"static_intervals": ROWS[:1]}, "^static_intervals: expected at least two, .* got 1"),
+        (
+            {"static_intervals": [(0, 500), (500, 900)]},
+            "^static_intervals: expected moves between them, got 0 rows",
+        ),
+        ({"static_intervals": ROWS[::-1]}, "^static_intervals: expected rows in order"),
+        (
+            {"static_intervals": [*ROWS, (10**6, 10**6 + 9)]},
+            "^static_intervals: expected rows in order",
+        ),
         ({"body_axes": "mine"}, "^body_axes: expected one of averaged, .*, got 'mine'"),
         ({"closed": [(3, 2)]}, "^closed: expected pairs of rests 0 to 14, the earlier"),
         ({"closed": [(0, 15)]}, "^closed: expected pairs"),
         ({"noise": 1.0}, "^noise: expected an ImuNoise"),
-        ({"prior": 1.0}, "^prior: expected a PriorDeviations"),
-        ({"prior": PriorDeviations(scale=0.0)}, "^prior: expected deviations above zero"),
+        ({"prior": 1.0}, "^prior: expected a PriorStandardDeviations"),
+        (
+            {"prior": PriorStandardDeviations(scale_factor=0.0)},
+            "^prior: expected deviations above zero",
+        ),
         ({"gyro_bias": [1.0, 2.0]}, "^gyro_bias: expected shape"),
         ({"gyro_bias": [[1.0, 2.0, 3.0]]}, "^gyro_bias: expected shape"),
     ],
 )
 def test_refusals(change, words):
     with pytest.raises(ValueError, match=words):
-        calibrate_by_poses(**(GOOD | change))
+        calibrate_multi_position(**(GOOD | change))
 
 
 def test_gravity_is_the_records_or_that_of_its_latitude():
     given = Recording(TRUE.angle, TRUE.velocity, 0.02, "increments", gravity=9.7, latitude=0.5)
     place = Recording(TRUE.angle, TRUE.velocity, 0.02, "increments", latitude=0.5)
-    assert calibrate_by_poses(given, ROWS, noise=NOISE).gravity == 9.7
-    assert 9.78 < calibrate_by_poses(place, ROWS, noise=NOISE).gravity < 9.80
+    assert calibrate_multi_position(given, ROWS, noise=NOISE).gravity == 9.7
+    assert 9.78 < calibrate_multi_position(place, ROWS, noise=NOISE).gravity < 9.80

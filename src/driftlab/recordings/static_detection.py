@@ -33,7 +33,7 @@ running engine shakes into one."""
 
 
 @dataclass(frozen=True, eq=False)
-class Rests:
+class StaticIntervals:
     """Rests of a recording, with the reasons.
 
     Attributes
@@ -48,7 +48,7 @@ class Rests:
     quietest : int
         Middle row of that stretch, of the gyros.
     window, multiple, trim, shortest : float
-        As in `rests`.
+        As in `static_intervals`.
     loudest : ndarray, shape (n,)
         Largest windowed deviation within each rest, as a multiple of the noise.
     too_short : tuple of (int, int)
@@ -120,14 +120,14 @@ class Rests:
         return "\n".join(lines)
 
 
-def rests(
+def static_intervals(
     recording: Recording,
     *,
     window: float = 1.0,
     multiple: float = 20.0,
     trim: float | None = None,
     shortest: float = 0.5,
-) -> Rests:
+) -> StaticIntervals:
     """Find the stretches in which a unit lay still.
 
     Parameters
@@ -148,7 +148,7 @@ def rests(
 
     Returns
     -------
-    Rests
+    StaticIntervals
         At least one; its `why` and its `repr` say what was found and why.
 
     Raises
@@ -175,7 +175,7 @@ def rests(
     >>> from driftlab.recordings.recording import Recording
     >>> gyro = 1e-3 * np.random.default_rng(1).standard_normal((1500, 3))
     >>> gyro[500:800, 2] += 0.5 * np.sin(np.linspace(0, np.pi, 300))
-    >>> found = rests(Recording(gyro, None, 0.01, "rates"))
+    >>> found = static_intervals(Recording(gyro, None, 0.01, "rates"))
     >>> found.rows, found.durations
     ([(100, 423), (877, 1400)], array([3.23, 5.23]))
     """
@@ -225,7 +225,7 @@ def rests(
             f"window of {seconds:g} s scatters by more than {times:g} times the noise of the "
             f"quietest one, got {longest:.2g} s at most: try a larger multiple or a shorter rest."
         )
-    return Rests(
+    return StaticIntervals(
         begin=np.array([b for b, _ in kept]),
         end=np.array([e for _, e in kept]),
         interval=recording.interval,

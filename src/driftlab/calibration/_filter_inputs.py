@@ -19,7 +19,7 @@ from driftlab.core import quaternion
 from driftlab.core.carried_gravity import carried_velocity, cone_velocity
 from driftlab.core.loops import attitudes
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments
 from driftlab.strapdown import ALGORITHM
 
@@ -59,16 +59,16 @@ class Evidence(NamedTuple):
     way: FloatArray
     """Angle (..., k) that the body has turned by so far, rad"""
 
-    def misfit(self, told: Told) -> FloatArray:
+    def misfit(self, inputs: FilterInputs) -> FloatArray:
         """Contradictions (...) of gravity or the Earth's rate, in units of what is expected."""
-        start, latitude, prior, noise = told.start, told.latitude, told.prior, told.noise
-        sway = float(np.abs(told.reference).max())
+        start, latitude, prior, noise = inputs.start, inputs.latitude, inputs.prior, inputs.noise
+        sway = float(np.abs(inputs.reference).max())
         size = float(gravity(latitude))
         cone = cone_velocity(np.asarray(latitude), self.elapsed)[:, _EAST_NORTH_UP]
         up = np.diff(cone, axis=0) / self.window
         off = quaternion.rotate(start, self.force) / size - up
         middle = (self.elapsed[1:] + self.elapsed[:-1]) / 2
-        bent = prior.scale**2 + 2 * prior.installation**2
+        bent = prior.scale_factor**2 + 2 * prior.installation**2
         variance = (
             _LEAST_ANGLE**2
             + prior.attitude**2
@@ -88,22 +88,25 @@ class Evidence(NamedTuple):
             + EARTH_RATE**2 * (prior.attitude**2 + bent)
         )
         squares = np.sum(wrong**2, axis=-1)
-        rests = np.broadcast_to(self.rest, squares.shape)
-        ordered = np.cumsum(np.sort(np.where(rests, squares, np.inf), axis=-1), axis=-1)
-        count = np.ceil(_TRUSTED * rests.sum(axis=-1, keepdims=True)).astype(int)
+        static_intervals = np.broadcast_to(self.rest, squares.shape)
+        ordered = np.cumsum(np.sort(np.where(static_intervals, squares, np.inf), axis=-1), axis=-1)
+        count = np.ceil(_TRUSTED * static_intervals.sum(axis=-1, keepdims=True)).astype(int)
         summed = np.take_along_axis(ordered, np.maximum(count - 1, 0), axis=-1)[..., 0]
-        rate = np.where(rests.any(axis=-1), summed / np.maximum(count[..., 0], 1), 0.0) / least
+        rate = (
+            np.where(static_intervals.any(axis=-1), summed / np.maximum(count[..., 0], 1), 0.0)
+            / least
+        )
         return np.sqrt(np.maximum(force, rate))
 
 
-class Told(NamedTuple):
+class FilterInputs(NamedTuple):
     """Arguments of a calibration, checked: of several runs, or of one."""
 
     increments: Increments
     start: FloatArray
     latitude: float
     model: ErrorModel
-    prior: PriorDeviations
+    prior: PriorStandardDeviations
     noise: ImuNoise
     reference: FloatArray
     """Velocities (..., k, 3) of the table, m/s,"""
@@ -121,7 +124,7 @@ class Told(NamedTuple):
         rows = self.increments.angle, self.increments.velocity, self.reference
         return np.broadcast_shapes(*(row.shape[:-2] for row in rows), self.start.shape[:-1])
 
-    def copied(self) -> Told:
+    def copied(self) -> FilterInputs:
         """The same with arrays of its own."""
         interval, angle, velocity = self.increments
         return self._replace(
@@ -130,7 +133,7 @@ class Told(NamedTuple):
             reference=np.array(self.reference),
         )
 
-    def run(self, number: int) -> Told:
+    def run(self, number: int) -> FilterInputs:
         """What one run was told."""
 
         def own(rows: FloatArray, core: int) -> FloatArray:
@@ -250,16 +253,16 @@ _NEAR = 1.3
 """Sensors that are better than told are no slip; but noise so near to that in another unit is."""
 
 
-def told_noise(told: Told) -> tuple[list[str], ImuNoise]:
+def assumed_noise_contradictions(inputs: FilterInputs) -> tuple[list[str], ImuNoise]:
     """Sentences on the noise if it is not what one run was told, and what it is then."""
-    increments, right, shown = told.increments, told.noise, evidence(told.increments)
+    increments, right, shown = inputs.increments, inputs.noise, evidence(inputs.increments)
     sentences: list[str] = []
     triads = (
         ("gyros", "angle_random_walk", increments.angle),
         ("accelerometers", "velocity_random_walk", increments.velocity),
     )
     for triad, name, rows in triads:
-        size = float(getattr(told.noise, name))
+        size = float(getattr(inputs.noise, name))
         if shown is None or size == 0:
             continue
         found = _random_walk(rows, shown, increments.interval)

@@ -10,19 +10,19 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.attitude.integration import integrate
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
-from driftlab.motion.table_turn import TableTurn
+from driftlab.motion.turntable_rotation import TurntableRotation
 from support import EPS, directions, same_rotation
 
 LATITUDE = np.radians(51.5)
 TEN = np.radians(10.0)
-SLANTED = TableTurn(
-    -TEN, latitude=LATITUDE, table_axis=(0.1, -0.2, 0.9), angle_error=1e-3, ramp=3.0, rest=2.5
+SLANTED = TurntableRotation(
+    -TEN, latitude=LATITUDE, table_axis=(0.1, -0.2, 0.9), angle_error=1e-3, ramp=3.0, dwell=2.5
 )
 
 
 def test_increments_about_the_vertical_in_closed_form():
     """Along the axis both rates; across it what the integral of a cosine and a sine gives."""
-    turn = TableTurn(TEN, turns=2, latitude=LATITUDE)
+    turn = TurntableRotation(TEN, turns=2, latitude=LATITUDE)
     found = turn.increments([0, 0, 3], 100)
     assert found.interval == pytest.approx(0.72, rel=4 * EPS)
     angles = TEN * found.interval * np.arange(101)
@@ -78,7 +78,7 @@ def test_increments_are_integrals_of_an_independent_motion(axis):
 @pytest.mark.parametrize("axis", [(1, 1, 0), (0, 0, -1), (1, -2, 0.5)])
 def test_a_perfect_triad_shows_the_rotation_of_the_earth(axis):
     """In inertial space the table has brought the body back to where the Earth has gone."""
-    turn = TableTurn(TEN, latitude=LATITUDE)
+    turn = TurntableRotation(TEN, latitude=LATITUDE)
     shown = integrate(turn.increments(axis, 3600).angle, "rotation-vector-2")[-1]
     n = np.array(axis) / np.linalg.norm(axis)
     size = EARTH_RATE * turn.duration
@@ -88,29 +88,31 @@ def test_a_perfect_triad_shows_the_rotation_of_the_earth(axis):
     assert vector @ n == pytest.approx(size * np.sin(LATITUDE), rel=1e-7)
 
 
-@example(n=np.array([0.0, 0.0, 1.0]), ramp=5e-324, rest=0.0, sense=1)  # no angle, but a time
-@given(n=directions(), ramp=st.floats(0, 30), rest=st.floats(0, 30), sense=st.sampled_from([1, -1]))
-def test_along_the_axis_only_angle_and_time_count(n, ramp, rest, sense):
-    turn = TableTurn(sense * TEN, 1, LATITUDE, angle_error=0.01, ramp=ramp, rest=rest)
+@example(n=np.array([0.0, 0.0, 1.0]), ramp=5e-324, dwell=0.0, sense=1)  # no angle, but a time
+@given(
+    n=directions(), ramp=st.floats(0, 30), dwell=st.floats(0, 30), sense=st.sampled_from([1, -1])
+)
+def test_along_the_axis_only_angle_and_time_count(n, ramp, dwell, sense):
+    turn = TurntableRotation(sense * TEN, 1, LATITUDE, angle_error=0.01, ramp=ramp, dwell=dwell)
     n = n / np.linalg.norm(n)
     felt = (turn.increments(n, 37).angle @ n).sum()
     expected = sense * (2 * np.pi + 0.01) + earth_rate(LATITUDE)[2] * turn.duration
     assert felt == pytest.approx(expected, abs=200 * EPS)
-    assert turn.duration == pytest.approx((2 * np.pi + 0.01) / TEN + ramp + rest, rel=4 * EPS)
+    assert turn.duration == pytest.approx((2 * np.pi + 0.01) / TEN + ramp + dwell, rel=4 * EPS)
     assert turn.mean_rate == pytest.approx(sense * 2 * np.pi / turn.duration, rel=4 * EPS)
 
 
 @pytest.mark.parametrize(
     ("settings", "samples"),
     [
-        ({"rate": 0.2, "rest": 300.0}, 8),
-        ({"rate": -1.0, "turns": 10, "rest": 3600.0}, 80),
-        ({"rate": 0.2, "turns": 10, "ramp": 30.0, "rest": 100.0, "angle_error": 3.0}, 80),
+        ({"rate": 0.2, "dwell": 300.0}, 8),
+        ({"rate": -1.0, "turns": 10, "dwell": 3600.0}, 80),
+        ({"rate": 0.2, "turns": 10, "ramp": 30.0, "dwell": 100.0, "angle_error": 3.0}, 80),
     ],
 )
 def test_a_long_sample_is_the_sum_of_short_ones(settings, samples):
     """A sample may hold several turns, for the rests count as well."""
-    turn = TableTurn(latitude=0.7, table_axis=(0.0, 1.0, 0.2), **settings)
+    turn = TurntableRotation(latitude=0.7, table_axis=(0.0, 1.0, 0.2), **settings)
     coarse = turn.increments([1, 2, 3], samples)
     fine = turn.increments([1, 2, 3], 64 * samples)
     for long, short in ((coarse.angle, fine.angle), (coarse.velocity, fine.velocity)):
@@ -122,7 +124,7 @@ def test_a_long_sample_is_the_sum_of_short_ones(settings, samples):
 def test_the_longest_piece_of_a_turn_is_exact_to_rounding():
     """A sample in which the table turns by 4/pi: from the vertical, what the integrals give."""
     angle = 4 / np.pi
-    turn = TableTurn(TEN, latitude=LATITUDE, rest=(8 * angle - 2 * np.pi) / TEN)
+    turn = TurntableRotation(TEN, latitude=LATITUDE, dwell=(8 * angle - 2 * np.pi) / TEN)
     found = turn.increments([0, 0, 1], 8).angle[0]
     assert turn.duration / 8 * TEN == pytest.approx(angle)
     level = earth_rate(LATITUDE)[1] / TEN
@@ -131,7 +133,7 @@ def test_the_longest_piece_of_a_turn_is_exact_to_rounding():
 
 
 def test_without_the_earth_there_is_the_turn_alone():
-    found = TableTurn(-TEN, turns=3).increments([[0, 3, 4], [1, 0, 0]], 60)
+    found = TurntableRotation(-TEN, turns=3).increments([[0, 3, 4], [1, 0, 0]], 60)
     expected = -6 * np.pi / 60 * np.array([[0, 0.6, 0.8], [1, 0, 0]])
     np.testing.assert_allclose(
         found.angle, np.repeat(expected[:, None], 60, axis=1), rtol=0, atol=64 * EPS
@@ -143,7 +145,7 @@ def test_the_other_sense_is_the_same_motion_backwards():
     n = np.array([1, 2, 2]) / 3
 
     def of_the_earth(sense):
-        turn = TableTurn(sense * TEN, latitude=LATITUDE, ramp=4.0)
+        turn = TurntableRotation(sense * TEN, latitude=LATITUDE, ramp=4.0)
         table = np.diff(turn.angle(np.linspace(0, turn.duration, 51)))
         return turn.increments(n, 50).angle - table[:, np.newaxis] * n
 
@@ -162,7 +164,7 @@ def test_axes_have_leading_axes_and_are_left_alone():
 
 def test_a_body_upside_down_is_near_to_one_nearly_so():
     """Half a turn leads there about any level axis: the Earth's level part may come from aside."""
-    turn = TableTurn(TEN, latitude=LATITUDE)
+    turn = TurntableRotation(TEN, latitude=LATITUDE)
     down = turn.increments([0, 0, -1], 36).angle
     across = np.linalg.norm(down[:, :2], axis=1)
     expected = EARTH_RATE * np.cos(LATITUDE) * np.sin(np.radians(5)) / np.radians(5)
@@ -171,7 +173,7 @@ def test_a_body_upside_down_is_near_to_one_nearly_so():
 
 
 def test_one_turn_against_the_attitude_of_the_table():
-    body = integrate(TableTurn(TEN, angle_error=0.3).increments([0, 0, 1], 400).angle)[-1]
+    body = integrate(TurntableRotation(TEN, angle_error=0.3).increments([0, 0, 1], 400).angle)[-1]
     assert same_rotation(body, np.array([0, 0, np.sin(0.15), np.cos(0.15)]), 1e-7)
 
 
@@ -186,13 +188,13 @@ def test_one_turn_against_the_attitude_of_the_table():
         ({"table_axis": np.eye(3)}, r"^table_axis: expected shape \(3,\), got shape \(3, 3\)"),
         ({"angle_error": 4.0}, "^angle_error: expected less than half a turn, got 4.0 rad"),
         ({"ramp": -1.0}, "^ramp: expected a number of at least 0, got -1.0"),
-        ({"rest": -1.0}, "^rest: expected a number of at least 0, got -1.0"),
+        ({"dwell": -1.0}, "^dwell: expected a number of at least 0, got -1.0"),
         ({"ramp": 40.0}, "^ramp: expected at most 36 s, in which .* got 40.0"),
     ],
 )
 def test_impossible_turns_are_refused(settings, sentence):
     with pytest.raises(ValueError, match=sentence):
-        TableTurn(**({"rate": TEN} | settings))
+        TurntableRotation(**({"rate": TEN} | settings))
 
 
 @pytest.mark.parametrize(
@@ -205,4 +207,4 @@ def test_impossible_turns_are_refused(settings, sentence):
 )
 def test_impossible_increments_are_refused(axis, samples, sentence):
     with pytest.raises(ValueError, match=sentence):
-        TableTurn(TEN, turns=2).increments(axis, samples)
+        TurntableRotation(TEN, turns=2).increments(axis, samples)

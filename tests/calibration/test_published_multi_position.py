@@ -8,13 +8,13 @@ import pytest
 from driftlab.attitude import integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
 from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
-from driftlab.calibration.poses import calibrate_by_poses
+from driftlab.calibration.multi_position import calibrate_multi_position
 from driftlab.drift import turn_estimate
-from driftlab.imu import PriorDeviations
+from driftlab.imu import PriorStandardDeviations
 from driftlab.recordings.publishers import (
     ferraris_sections,
 )
-from driftlab.recordings.rest_detection import rests
+from driftlab.recordings.static_detection import static_intervals
 from driftlab.vectors import cross_matrix
 from support import largest, recording_or_skip
 
@@ -25,7 +25,7 @@ XSENS = dict(zip(("lower triangle accelerometers", "accelerometers"), IMU_TK, st
 def published_xsens(body_axes):
     """Error matrices of accelerometers and gyros."""
     errors = XSENS[body_axes].imu_errors
-    return errors.accelerometer_error, errors.gyro_error
+    return errors.accelerometer_error_matrix, errors.gyro_error_matrix
 
 
 def test_the_two_published_results_are_one_unit():
@@ -38,7 +38,7 @@ def test_the_two_published_results_are_one_unit():
 @cache
 def xsens():
     recording = recording_or_skip("xsens-mti")
-    return recording, rests(recording, multiple=6)
+    return recording, static_intervals(recording, multiple=6)
 
 
 def test_xsens_is_as_published():
@@ -46,8 +46,8 @@ def test_xsens_is_as_published():
     recording, found = xsens()
     begin, end = found.rows[0]
     bias = recording.gyro[begin:end].mean(axis=0)
-    unit = calibrate_by_poses(recording, found, gyro_bias=bias)
-    ours = unit.imu_errors.accelerometer_error, unit.imu_errors.gyro_error
+    unit = calibrate_multi_position(recording, found, gyro_bias=bias)
+    ours = unit.imu_errors.accelerometer_error_matrix, unit.imu_errors.gyro_error_matrix
     turn = body_frame_rotation(ours[0], frame="lower triangle")
     lower, upper = XSENS
     for one, here, there in zip(ours, published_xsens(upper), published_xsens(lower), strict=True):
@@ -59,19 +59,23 @@ def test_xsens_is_as_published():
 def test_xsens_gyros_feel_gravity():
     """Nine numbers more take the residual of the moves from half a degree to an eighth."""
     recording, found = xsens()
-    plain = calibrate_by_poses(recording, found)
-    felt = calibrate_by_poses(recording, found, sensitivity=True)
+    plain = calibrate_multi_position(recording, found)
+    felt = calibrate_multi_position(recording, found, sensitivity=True)
     rms = [np.sqrt(np.mean(unit.turn_residuals**2)) for unit in (plain, felt)]
     assert rms[1] < rms[0] / 3
-    assert largest(felt.sensitivity / felt.sensitivity_deviations) > 20
+    assert largest(felt.sensitivity / felt.sensitivity_standard_deviations) > 20
     ratios = [
-        u.consistency["rates"].chi_square / u.consistency["rates"].freedom for u in (plain, felt)
+        u.consistency["rates"].chi_square / u.consistency["rates"].degrees_of_freedom
+        for u in (plain, felt)
     ]
     assert ratios[0] > 20
     assert ratios[1] < 2
     # The published matrix is one that gravity has bent.
     _, gyros = published_xsens("accelerometers")
-    assert largest(felt.imu_errors.gyro_error - gyros) > 2 * felt.deviations.gyro_error.max()
+    assert (
+        largest(felt.imu_errors.gyro_error_matrix - gyros)
+        > 2 * felt.standard_deviations.gyro_error_matrix.max()
+    )
 
 
 # Scales in percent, angles in degrees: sx sy sz myz mxy mxz of each triad, and epsilon.
@@ -104,11 +108,11 @@ def published_mpu9150(number):
 @cache
 def mpu9150(number):
     recording = recording_or_skip(f"mpu9150-{number}")
-    found = rests(recording)
+    found = static_intervals(recording)
     return (
         recording,
         found,
-        calibrate_by_poses(recording, found, body_axes="lower triangle accelerometers"),
+        calibrate_multi_position(recording, found, body_axes="lower triangle accelerometers"),
     )
 
 
@@ -117,12 +121,12 @@ def test_five_units_are_as_published_but_for_the_gyros_of_two(number):
     """Deviations are 3e-4 and 1e-3; a tenth unit would leave three of them once in ten."""
     _, _, unit = mpu9150(number)
     accelerometers, gyros = published_mpu9150(number)
-    assert largest(unit.imu_errors.accelerometer_error - accelerometers) < 4e-4
-    difference = largest(unit.imu_errors.gyro_error - gyros)
+    assert largest(unit.imu_errors.accelerometer_error_matrix - accelerometers) < 4e-4
+    difference = largest(unit.imu_errors.gyro_error_matrix - gyros)
     low, high = {2: (4e-3, 6e-3), 4: (2.5e-3, 3.5e-3)}.get(number, (0.0, 1.5e-3))
     assert low < difference < high
     for test in unit.consistency.values():  # noise of the rests explains all that is left
-        assert test.chi_square < 1.5 * test.freedom
+        assert test.chi_square < 1.5 * test.degrees_of_freedom
 
 
 def test_a_pause_that_is_no_rest_makes_the_published_table_of_the_second_unit():
@@ -134,11 +138,11 @@ def test_a_pause_that_is_no_rest_makes_the_published_table_of_the_second_unit():
     sway = recording.gyro[slice(*pause)].std(axis=0)
     begin, end = found.rows[int(np.argmin(found.loudest))]
     assert sway.min() > 20 * recording.gyro[begin:end].std(axis=0).max()
-    with_pause = calibrate_by_poses(
+    with_pause = calibrate_multi_position(
         recording, sorted([*found.rows, pause]), body_axes="lower triangle accelerometers"
     )
-    assert largest(with_pause.imu_errors.gyro_error - gyros) < largest(
-        unit.imu_errors.gyro_error - gyros
+    assert largest(with_pause.imu_errors.gyro_error_matrix - gyros) < largest(
+        unit.imu_errors.gyro_error_matrix - gyros
     )
     assert with_pause.turn_residuals.max() > 3 * unit.turn_residuals.max()
 
@@ -146,9 +150,11 @@ def test_a_pause_that_is_no_rest_makes_the_published_table_of_the_second_unit():
 def test_larins_turns_by_hand():
     """Each turn of the Ferraris session alone, as a closed path, and Larin's formula on it."""
     recording = recording_or_skip("ferraris-session")
-    found, sections = rests(recording), ferraris_sections(download=False)
+    found, sections = static_intervals(recording), ferraris_sections(download=False)
     angle = recording.angles()
-    prior = PriorDeviations(gyro_bias=0.1, accelerometer_bias=1.0, scale=0.1, installation=0.02)
+    prior = PriorStandardDeviations(
+        gyro_bias=0.1, accelerometer_bias=1.0, scale_factor=0.1, installation=0.02
+    )
     for name, axis, published in (
         ("x_rot", 0, 0.02790),
         ("y_rot", 1, -0.01758),
@@ -157,8 +163,8 @@ def test_larins_turns_by_hand():
         middle = sum(sections[name]) / 2
         first = int(np.searchsorted(found.begin, middle)) - 1
         pair = found.rows[first : first + 2]
-        unit = calibrate_by_poses(recording, pair, gravity=9.81, closed=[(0, 1)], prior=prior)
-        estimate = unit.imu_errors.gyro_error[axis, axis]
+        unit = calibrate_multi_position(recording, pair, gravity=9.81, closed=[(0, 1)], prior=prior)
+        estimate = unit.imu_errors.gyro_error_matrix[axis, axis]
         way = angle[pair[0][1] - 1 : pair[1][0]] - recording.interval * unit.imu_errors.gyro_bias
         turn = np.eye(3)[axis] * np.sign(way.sum(axis=0)[axis])
         larin = float(turn_estimate(integrate(way, "memory-4")[-1], turn))

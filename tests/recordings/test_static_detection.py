@@ -8,7 +8,7 @@ import pytest
 
 from driftlab.checks import UnusualWarning
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rest_detection import rests
+from driftlab.recordings.static_detection import static_intervals
 from support import recording_or_skip
 
 NOISE, FORCE_NOISE = 1e-3, 2e-2
@@ -30,7 +30,7 @@ def log(*moves, rows=3000, interval=0.01, kind="rates", force=True):
 @pytest.mark.parametrize("force", [True, False])
 def test_rests_lie_between_the_moves_and_touch_none(kind, force):
     moves = [(800, 1000), (1600, 1900)]
-    found = rests(log(*moves, kind=kind, force=force))
+    found = static_intervals(log(*moves, kind=kind, force=force))
     assert len(found) == 3
     edges = [0, *np.ravel(moves), 3000]
     for (begin, end), first, last in zip(found.rows, edges[::2], edges[1::2], strict=True):
@@ -45,25 +45,25 @@ def test_rests_lie_between_the_moves_and_touch_none(kind, force):
 def test_noise_is_that_of_the_quietest_window():
     """A variance of n values has a deviation of sqrt(2/n) of itself; here 3 x 100 of them, the
     least of 24 independent windows: no more than 4 deviations below."""
-    found = rests(log((800, 1000)))
+    found = static_intervals(log((800, 1000)))
     for noise, true in ((found.gyro_noise, NOISE), (found.accelerometer_noise, FORCE_NOISE)):
         ratio = noise / (true * np.sqrt(3))
         assert 1 - 4 * np.sqrt(0.5 / 300) < ratio < 1
 
 
 def test_what_is_quiet_but_too_short_is_told():
-    found = rests(log((800, 1000), (1200, 1400)))
+    found = static_intervals(log((800, 1000), (1200, 1400)))
     assert len(found) == 2
     ((begin, end),) = found.too_short
     assert 1000 < begin < end < 1200
     assert "too short" in repr(found)
     assert "1 quiet stretches were too short" in found.why
-    longer = rests(log((800, 1000), (1200, 1400)), window=0.5)
+    longer = static_intervals(log((800, 1000), (1200, 1400)), window=0.5)
     assert len(longer) == 3
 
 
 def test_a_log_without_moves_is_one_rest():
-    found = rests(log())
+    found = static_intervals(log())
     assert found.rows == [(100, 2900)]
     assert found.why.startswith("1 rest: ")
 
@@ -75,11 +75,11 @@ def test_a_log_that_never_rests_is_warned_of(kind):
     gyro = np.stack([np.sin(5 * t), np.cos(3 * t), np.sin(7 * t)], axis=1)
     share = 1.0 if kind == "rates" else 0.01
     with pytest.warns(UnusualWarning, match=r"^recording\.gyro: .* ever lie still"):
-        rests(Recording(share * gyro, None, 0.01, kind))
+        static_intervals(Recording(share * gyro, None, 0.01, kind))
     lively = log((500, 800), kind=kind)
     force = lively.accelerometer + 3 * share * gyro[: len(lively)]
     with pytest.warns(UnusualWarning, match=r"^recording\.accelerometer: "):
-        rests(replace(lively, accelerometer=force))
+        static_intervals(replace(lively, accelerometer=force))
 
 
 @pytest.mark.parametrize("kind", ["rates", "increments"])
@@ -98,7 +98,7 @@ def test_a_quietest_window_is_warned_of_if_it_scatters_by_more_than_sensors_do(
     shaken = replace(still, **{triad: rows})
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        found = rests(shaken)
+        found = static_intervals(shaken)
     assert getattr(found, f"{triad}_noise") == pytest.approx(share * most * span)
     assert [one.category for one in caught] == [UnusualWarning] * (share > 1)
     words = f"recording.{triad}: expected a moment of rest, where samples scatter by less than"
@@ -106,7 +106,7 @@ def test_a_quietest_window_is_warned_of_if_it_scatters_by_more_than_sensors_do(
 
 
 def test_other_multiples_are_told():
-    found = rests(log((800, 1000)))
+    found = static_intervals(log((800, 1000)))
     assert found.alternatives == ((10.0, 2), (40.0, 2))
 
 
@@ -125,12 +125,12 @@ def test_other_multiples_are_told():
 )
 def test_refusals(change, words):
     with pytest.raises(ValueError, match=words):
-        rests(log(), **change)
+        static_intervals(log(), **change)
 
 
 def test_a_record_that_is_none_is_refused():
     with pytest.raises(ValueError, match=r"^recording: expected a Recording"):
-        rests(np.zeros((300, 3)))
+        static_intervals(np.zeros((300, 3)))
 
 
 @pytest.mark.parametrize("offset", [0.0, 0.3, -0.7])
@@ -142,7 +142,7 @@ def test_a_triad_that_hangs_is_refused_whatever_it_showed_before(offset, move, b
     gyro[begin : begin + 300] = gyro[begin]
     words = rf"^recording.gyro: expected noise .* 100 equal rows from row {begin}:"
     with pytest.raises(ValueError, match=words):
-        rests(Recording(gyro, None, 0.01, "rates"))
+        static_intervals(Recording(gyro, None, 0.01, "rates"))
 
 
 @pytest.mark.parametrize(("share", "told"), [(0.995, False), (1.005, True)])
@@ -152,17 +152,17 @@ def test_noise_is_told_down_to_a_thousand_millionth_of_the_largest_sample(share,
     gyro[:, 1] = -1
     log = Recording(gyro, None, 0.01, "rates")
     if told:
-        assert rests(log).gyro_noise == pytest.approx(share * 1e-9, rel=1e-9)
+        assert static_intervals(log).gyro_noise == pytest.approx(share * 1e-9, rel=1e-9)
     else:
         with pytest.raises(ValueError, match=r"^recording.gyro: expected noise in every window"):
-            rests(log)
+            static_intervals(log)
 
 
 @pytest.mark.parametrize("begin", [0, 1500, 2900])
 def test_a_large_sample_elsewhere_does_not_hide_the_noise(begin):
     gyro = 1e-7 * np.random.default_rng(1).standard_normal((3000, 3))
     gyro[begin : begin + 50] += 200.0
-    found = rests(Recording(gyro, None, 0.01, "rates"))
+    found = static_intervals(Recording(gyro, None, 0.01, "rates"))
     assert 1e-7 < found.gyro_noise < np.sqrt(3) * 1e-7
 
 
@@ -171,7 +171,7 @@ def test_a_large_sample_elsewhere_does_not_hide_the_noise(begin):
 def test_noise_and_loudest_windows_are_those_of_the_rows_one_by_one(window, force):
     """A rest that is shorter than a window is as loud as the one about its middle."""
     recording = log((800, 1000), (1140, 1300), (1362, 1500), force=force)
-    found = rests(recording, window=window, trim=window / 2, shortest=0.03)
+    found = static_intervals(recording, window=window, trim=window / 2, shortest=0.03)
     width = round(window / recording.interval)
     scatter, noises = np.zeros(len(recording) - width + 1), []
     for triad in (recording.gyro, recording.accelerometer)[: 1 + force]:
@@ -202,11 +202,11 @@ def test_noise_and_loudest_windows_are_those_of_the_rows_one_by_one(window, forc
 def test_published_records(name, count):
     recording = recording_or_skip(name)
     for multiple in (20, 30, 40):
-        assert len(rests(recording, multiple=multiple)) == count
+        assert len(static_intervals(recording, multiple=multiple)) == count
 
 
 def test_a_parked_car_rests_for_most_of_the_time():
-    found = rests(recording_or_skip("laser-gyro"))
+    found = static_intervals(recording_or_skip("laser-gyro"))
     longest = int(np.argmax(found.durations))
     assert found.durations.sum() > 0.9 * 1847
     # The quiet stretch that its users speak of.
@@ -217,6 +217,6 @@ def test_a_parked_car_rests_for_most_of_the_time():
 
 def test_what_was_asked_for_stands_in_the_answer():
     asked = {"window": 0.5, "multiple": 12.0, "trim": 0.25, "shortest": 0.75}
-    found = rests(log(), **asked)
+    found = static_intervals(log(), **asked)
     assert {name: getattr(found, name) for name in asked} == asked
     assert [multiple for multiple, _ in found.alternatives] == [6.0, 24.0]

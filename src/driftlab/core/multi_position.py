@@ -1,8 +1,8 @@
 """Gravity from rest to rest: the residuals of a unit's poses, and the least squares of them.
 
-The arithmetic behind `driftlab.calibration.poses`. The unknowns are 30: the error matrix L of the
-accelerometers, nothing above its diagonal, row by row; their bias; the matrix K of the gyros, row
-by row; their bias; and what specific force adds to it, a matrix G, row by row.
+The arithmetic behind `driftlab.calibration.multi_position`. The unknowns are 30: the error matrix L
+of the accelerometers, nothing above its diagonal, row by row; their bias; the matrix K of the
+gyros, row by row; their bias; and what specific force adds to it, a matrix G, row by row.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ UNKNOWNS = 30
 _PASSES = 12
 _MOST = 100  # steps in one of them; five are usual
 _UNSETTLED = (
-    "rests: expected residuals that a fit can settle on, got {}: a move that is cut, another unit, "
-    "or noise stated much too small?"
+    "static_intervals: expected residuals that a fit can settle on, got {}: a move that is cut, "
+    "another unit, or noise stated much too small?"
 )
 _IN_THE_DARK = np.array([0.1] * 6 + [1.0] * 3 + [0.1] * 9 + [0.1] * 3 + [0.01] * 9)
 """An unknown that poses do not show better than so is in the dark: parts, rad, m/s^2, rad/s."""
@@ -129,7 +129,7 @@ class PoseModel:
         self._at: FloatArray | None = None
         self.face(np.zeros(UNKNOWNS))
         count = len(poses.force)
-        self.rests = np.s_[:count]
+        self.static_intervals = np.s_[:count]
         self.moves = np.s_[count : count + 2 * len(poses.open) + 3 * len(poses.closed)]
         self.rates = np.s_[self.moves.stop : self.moves.stop + 3 * count]
         self.size = self.rates.stop
@@ -192,7 +192,7 @@ class PoseModel:
             return
         self._at = unknowns.copy()
         poses, count = self.poses, len(self.poses.force)
-        error, bias, gyro_error, gyro_bias, sensitivity = matrices(unknowns)
+        error, bias, gyro_error_matrix, gyro_bias, sensitivity = matrices(unknowns)
         self._inverse = inverse = np.linalg.inv(np.eye(3) + error)
         force = (poses.force - bias) @ inverse.T
         self._norm = norms(force)
@@ -203,11 +203,11 @@ class PoseModel:
         tilt = np.eye(3) - unit[:, :, np.newaxis] * unit[:, np.newaxis]
         by_known_unit = tilt @ by_known / self._norm[:, np.newaxis, np.newaxis]
         jacobian = np.zeros((self.size, UNKNOWNS))
-        jacobian[self.rests, :9] = np.einsum("ni,nij->nj", unit, by_known)
+        jacobian[self.static_intervals, :9] = np.einsum("ni,nij->nj", unit, by_known)
         i = poses.open
         first = np.concatenate([np.arange(count - 1), poses.closed[:, 0]])
         last = np.concatenate([np.arange(1, count), poses.closed[:, 1]])
-        self._measured = np.eye(3) + gyro_error
+        self._measured = np.eye(3) + gyro_error_matrix
         gyro_inverse = np.asarray(np.linalg.inv(self._measured), np.float64)
         dt = poses.interval
         rest = poses.angle - dt * gyro_bias
@@ -350,7 +350,7 @@ def fit_poses(
     return PoseFit(
         unknowns=unknowns,
         covariance=covariance,
-        force=residuals[model.rests],
+        force=residuals[model.static_intervals],
         turn=np.concatenate([norms(tilts.reshape(-1, 2)), norms(turns.reshape(-1, 3))]),
         rate=residuals[model.rates].reshape(-1, 3),
         tests=np.column_stack([tests, excess]),
@@ -376,7 +376,7 @@ class _Weights:
     ):
         self.model, self.excess, self.free, self._at = model, excess, free, unknowns.copy()
         self.sizes = None if sizes is None else sizes[free]
-        self.kinds = (model.rests, model.moves, model.rates)
+        self.kinds = (model.static_intervals, model.moves, model.rates)
         model.face(unknowns)
         none = Variances._make(map(np.zeros_like, variances))
         self._noise = model.covariance(unknowns, variances)
@@ -462,7 +462,7 @@ def _refuse_dark(jacobian: FloatArray, free: np.ndarray) -> None:
         names = np.array(_names())[free]
         dark = [name for name, part in zip(names, share, strict=True) if part > 0.3]
         raise ValueError(
-            f"rests: expected poses that show all {count} numbers, got such that show "
+            f"static_intervals: expected poses that show all {count} numbers, got such that show "
             f"{count - len(hidden)}; in the dark, alone or together: {', '.join(dark)}. "
             "More poses help, tilted ones too, with moves about all three axes; or a prior."
         )

@@ -32,7 +32,7 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(6)
 
 
 @dataclass(frozen=True)
-class TableTurn:
+class TurntableRotation:
     """How a table makes its whole turns: all of the motion but the axis in the body.
 
     Attributes
@@ -50,7 +50,7 @@ class TableTurn:
         By how much the table goes beyond its whole turns, in the sense in which it turns, rad.
     ramp : float
         Time in which the table gathers its rate evenly, and in which it stops, s.
-    rest : float
+    dwell : float
         Time after stopping in which the gyros are still read, s.
 
     See Also
@@ -61,8 +61,8 @@ class TableTurn:
     --------
     A turn each way at 10 degrees a second, begun and ended in two seconds:
 
-    >>> there = TableTurn(rate=np.radians(10.0), latitude=np.radians(37.5), ramp=2.0)
-    >>> back = TableTurn(rate=-np.radians(10.0), latitude=np.radians(37.5), ramp=2.0)
+    >>> there = TurntableRotation(rate=np.radians(10.0), latitude=np.radians(37.5), ramp=2.0)
+    >>> back = TurntableRotation(rate=-np.radians(10.0), latitude=np.radians(37.5), ramp=2.0)
     >>> print(f"{there.duration:.1f} {np.degrees(back.mean_rate):.3f}")
     38.0 -9.474
     >>> there.increments([0, 0, 1], samples=360).angle.shape, there.angle([19.0]).round(3)
@@ -75,7 +75,7 @@ class TableTurn:
     table_axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
     angle_error: float = 0.0
     ramp: float = 0.0
-    rest: float = 0.0
+    dwell: float = 0.0
 
     def __post_init__(self) -> None:
         if self.latitude is not None:
@@ -89,7 +89,7 @@ class TableTurn:
             turns=whole_number(self.turns, "turns"),
             table_axis=tuple(finite_array(self.table_axis, "table_axis", 3).tolist()),
             angle_error=finite_number(self.angle_error, "angle_error"),
-            **{name: nonnegative_number(getattr(self, name), name) for name in ("ramp", "rest")},
+            **{name: nonnegative_number(getattr(self, name), name) for name in ("ramp", "dwell")},
         )
         if abs(self.angle_error) >= np.pi:
             raise ValueError(
@@ -108,7 +108,7 @@ class TableTurn:
     @property
     def duration(self) -> float:
         """Time from the start to the end of the record, s."""
-        return self._until_braking + self.ramp + self.rest
+        return self._until_braking + self.ramp + self.dwell
 
     @property
     def mean_rate(self) -> float:
@@ -147,7 +147,7 @@ class TableTurn:
             up = np.array([0.0, 0.0, float(gravity(self.latitude))])
             for total, fixed in ((turned, earth_rate(self.latitude)), (pushed, up)):
                 # What is fixed to the Earth goes round the axis backwards, seen from the body.
-                start = self.seen_at_start(fixed, n)
+                start = self.components_at_start(fixed, n)
                 along = np.einsum("...i,...i->...", n, start)[..., np.newaxis] * n
                 total += seconds * (
                     along[..., np.newaxis, :]
@@ -174,7 +174,7 @@ class TableTurn:
         sums = np.add.reduceat(pieces, np.searchsorted(edges, times[:-1]), axis=-1)
         return np.asarray(sums / np.diff(times))
 
-    def seen_at_start(self, fixed: ArrayLike, axis: ArrayLike) -> FloatArray:
+    def components_at_start(self, fixed: ArrayLike, axis: ArrayLike) -> FloatArray:
         """Components (..., 3) in body axes, at the start, of a vector (3,) in East, North, Up."""
         fixed = finite_array(fixed, "fixed", 3)
         n, _ = nonzero_vectors(axis, "axis")
