@@ -9,7 +9,6 @@ from dataclasses import dataclass, fields
 from typing import NamedTuple
 
 import numpy as np
-from scipy.constants import arcminute, arcsecond, degree, g, hour, micro
 
 from .checks import (
     LARGEST_ACCELEROMETER_BIAS,
@@ -27,6 +26,10 @@ from .checks import (
     whole_number,
     within,
 )
+
+# As scipy.constants has them, which takes longer to load than everything that needs this module.
+degree, hour, micro, g = np.pi / 180, 3600.0, 1e-6, 9.80665
+arcminute, arcsecond = degree / 60, degree / 3600
 
 
 class ImuErrors(NamedTuple):

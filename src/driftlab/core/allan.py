@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import nnls
 from scipy.special import ndtri
 
 from driftlab.checks import FloatArray
@@ -111,6 +110,8 @@ def fit(points: Points, terms: list[int]) -> tuple[FloatArray, FloatArray]:
     deviation, under the fit and not as found, which would favour the small ones. Weights by the
     whole covariance would gain little, and run off when the noise is of another kind.
     """
+    from scipy.optimize import nnls  # here, lest every Allan deviation wait for it
+
     variance, freedom, counts, length, interval = points
     curves = term_variances(interval * counts)[:, terms]
     squares, deviation = np.zeros(5), variance * np.sqrt(2 / freedom)
