@@ -67,7 +67,9 @@ def rows() -> Iterator[Row]:
             return largest_angle((turned * attitudes_of_pyins(way)[SOME]).as_quat(), true[-1])
 
         # Its integrator carries velocity and position along; there is none for attitude alone.
-        return Contender("pyins, compiled, with navigation", run, error, WITH_NAVIGATION / COUNT)
+        why = "It corrects coning, which picard-1 does not; two-step-4 above does."
+        name, part = "pyins, compiled, with navigation", WITH_NAVIGATION / COUNT
+        return Contender(name, run, error, part, why)
 
     # What one has without a choice, and what multiplies the increments as they are, as most peers.
     for name, title in (("two-step-4", "two-step-4 (the default)"), ("picard-1", "picard-1")):

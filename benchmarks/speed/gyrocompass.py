@@ -102,7 +102,9 @@ def rows() -> Iterator[Row]:
         return abs(heading - exact)
 
     def ivp() -> Contender:
-        return Contender("solve_ivp, rates constant and known", partial(by_solve_ivp, 1e-10), error)
+        why = "It knows that the rates are constant, and takes long steps; a log has none."
+        name = "solve_ivp, rates constant and known"
+        return Contender(name, partial(by_solve_ivp, 1e-10), error, why=why)
 
     yield Row(
         f"{DURATION / 3600:.0f} h of a gyrocompass at {1 / INTERVAL:.0f} Hz",

@@ -21,7 +21,7 @@ from driftlab.quaternion import conjugate, multiply, rotation_angle
 
 from . import floor
 
-IN_C = "the same in C"
+IN_C, BY_NUMPY = "the same in C", "NumPy alone"
 _SHORTEST, _BUDGET, _LEAST_ROUNDS = 2e-3, 8.0, 3
 """Shorter calls (s) are timed several at once; a row ends after so many seconds, or rounds."""
 
@@ -31,13 +31,15 @@ class Contender:
     """Something that computes the quantity of a row.
 
     `error` compares a result with an independent reference. `part` is the part of the work that
-    one call does, if the whole would take too long; times are scaled up to the whole.
+    one call does, if the whole would take too long; times are scaled up to the whole. `why` says
+    why it may be faster.
     """
 
     name: str
     run: Callable[[], Any]
     error: Callable[[Any], float] | None = None
     part: float = 1.0
+    why: str = ""
 
 
 Maker = Callable[[], Contender]
@@ -74,6 +76,7 @@ class Line(NamedTuple):
     error: float | None = None
     verdict: str = ""
     floor: bool = False
+    why: str = ""
 
 
 class Result(NamedTuple):
@@ -146,7 +149,7 @@ def measure(row: Row, repeats: int = 9) -> Result:
             said = verdict(ratio, error, warm[0][1], row.rounding)
         elif each.name == IN_C and 3 * ratio.median < 1:
             said = "**over 3 times faster**"
-        lines.append(Line(each.name, middle, ratio, error, said, kind == "floor"))
+        lines.append(Line(each.name, middle, ratio, error, said, kind == "floor", each.why))
     return Result(row.title, lines, row.each[1], row.error_in, left_out)
 
 
@@ -167,7 +170,7 @@ def copy_of(data: np.ndarray) -> Maker:
     return partial(Contender, "copy of the data", data.copy)
 
 
-def in_c(run: Callable[[], Any], error: Callable[[Any], float]) -> Maker:
+def in_c(run: Callable[[], Any], error: Callable[[Any], float] | None = None) -> Maker:
     """The same in C, left out where nothing compiles it."""
 
     def make() -> Contender:
@@ -186,8 +189,8 @@ def and_by_numpy(row: Row) -> Iterator[Row]:
 
     yield row
     if find_spec("numba"):
-        ours = replace(row.ours, name="driftlab, NumPy alone", run=run)
-        yield replace(row, title=f"{row.title}, NumPy alone", ours=ours)
+        ours = replace(row.ours, name=f"driftlab, {BY_NUMPY}", run=run)
+        yield replace(row, title=f"{row.title}, {BY_NUMPY}", ours=ours)
 
 
 def largest_angle(found: np.ndarray, true: np.ndarray) -> float:

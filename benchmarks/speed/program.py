@@ -5,6 +5,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
@@ -35,8 +36,10 @@ def imports() -> Iterator[Row]:
         partial(_fresh, SCIPY, "SciPy's linalg, stats, Rotation"),
     ]
     # Peers load all that they have; `import driftlab` alone loads nothing before it is asked for.
+    four = "from driftlab import integrate, navigate, align, allan_deviation"
     for code, peers in (
-        ("from driftlab import integrate, navigate, align, allan_deviation", map(_peer, MODULES)),
+        ("from driftlab import integrate", map(_peer, MODULES)),
+        (four, map(_peer, MODULES)),
         ("import driftlab", ()),
         ("import driftlab.book", ()),
     ):
@@ -47,7 +50,8 @@ def _peer(module: str) -> Maker:
     def make() -> Contender:
         if find_spec(module.split(".")[0]) is None:
             raise ImportError(f"No module named {module!r}")
-        return _fresh(f"import {module}", f"import {module}")
+        why = "It loads NumPy alone; the confidence of an Allan deviation needs SciPy."
+        return replace(_fresh(f"import {module}", f"import {module}"), why=why)
 
     return make
 
