@@ -311,8 +311,8 @@ class LinearizedErrors(NamedTuple):
     transitions : ndarray, shape (s, size, size)
         Transition matrix of the errors over each step.
     segments : list of tuple
-        Pauses and rotations of the table, each a `driftlab.motion.Segment`, and with it the steps
-        that it is made of, as a slice.
+        Pauses and rotations of the table, each a `driftlab.motion.turntable.Segment`, and with it
+        the steps that it is made of, as a slice.
     """
 
     model: ErrorModel
