@@ -192,7 +192,7 @@ def calibrate_multi_position(
     ----------
     recording : Recording
         With accelerometers; rates or increments.
-    static_intervals : Rests or sequence of (int, int)
+    static_intervals : StaticIntervals or sequence of (int, int)
         From `driftlab.recordings.static_intervals`, or the first row of each rest and the first
         after it.
     gravity : float, optional

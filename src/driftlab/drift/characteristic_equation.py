@@ -38,6 +38,10 @@ def characteristic_polynomial(
     ndarray, shape (..., 5)
         Coefficients, highest power first, in powers of rad/s.
 
+    See Also
+    --------
+    exact_roots : Its roots.
+
     Notes
     -----
     With the true rate w and the measured rate w_hat the polynomial is
@@ -76,6 +80,10 @@ def exact_roots(rate: ArrayLike, measured_rate: ArrayLike) -> ComplexArray:
     ndarray of complex, shape (..., 4)
         Purely imaginary, rad/s, in the order given under Notes.
 
+    See Also
+    --------
+    asymptotic_roots : For a small error of the triad.
+
     Notes
     -----
     The roots of Larin (2.1) are the sum and the difference of the two lengths, because Omega_e
@@ -112,6 +120,10 @@ def asymptotic_roots(rate: ArrayLike, error_matrix: ArrayLike, *, order: int = 1
     -------
     ndarray of complex, shape (..., 4)
         rad/s, in the order of `exact_roots`.
+
+    See Also
+    --------
+    drift_per_revolution : What the small roots leave after a whole turn.
 
     Notes
     -----

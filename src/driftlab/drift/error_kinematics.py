@@ -103,6 +103,10 @@ def error_quaternion(rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike)
     ndarray, shape (..., 4)
         Unit quaternions conj(lambda)∘lambda_star.
 
+    See Also
+    --------
+    drift_per_revolution : The angle of it after a whole turn.
+
     Notes
     -----
     With n and n-hat the unit vectors of the two rates, and a and b half the two angles turned,

@@ -195,6 +195,10 @@ def operating_heading_error(
         If the horizon does not turn about any horizontal axis (a body that moves West as fast as
         the Earth moves East has no compass), at a pole, or in a vertical body.
 
+    See Also
+    --------
+    simulate_gyrocompass : The compass on a voyage, with this formula beside it.
+
     Examples
     --------
     A gyro bias of 0.01 degrees per hour about East, at rest at 60 degrees, in arc minutes:

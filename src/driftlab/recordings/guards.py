@@ -124,7 +124,7 @@ def data_problems(recording: Recording) -> tuple[DataProblem, ...]:
 
     Returns
     -------
-    tuple of Doubt
+    tuple of DataProblem
         In the order of `RULES`; empty if nothing speaks against it. That proves nothing: the
         module says which slips cannot be seen.
 
