@@ -1,5 +1,6 @@
 """Without recordings the chapter says so once, and goes on."""
 
+import re
 from pathlib import Path
 
 import nbformat
@@ -53,6 +54,11 @@ def test_what_is_at_hand_is_listed_with_its_licence(monkeypatch, capsys):
     assert capsys.readouterr().out == ""
     assert [row[0] for row in table.rows[1:]] == list(PUBLISHED)
     assert all(row[-2:] == ("12 s", "yes") and row[3] for row in table.rows[1:])
+
+
+def test_every_cell_that_needs_the_recording_has_its_words():
+    named = re.findall(r'kept_words\(\\"(\w+)', NOTEBOOK.read_text("utf-8"))
+    assert [at_hand.kept_words(cell)[:4] for cell in named] == ["With"] * 3
 
 
 def test_kept_words_are_what_the_cells_say(capsys):
