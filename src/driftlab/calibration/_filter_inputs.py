@@ -88,14 +88,11 @@ class Evidence(NamedTuple):
             + EARTH_RATE**2 * (prior.attitude**2 + bent)
         )
         squares = np.sum(wrong**2, axis=-1)
-        static_intervals = np.broadcast_to(self.rest, squares.shape)
-        ordered = np.cumsum(np.sort(np.where(static_intervals, squares, np.inf), axis=-1), axis=-1)
-        count = np.ceil(_TRUSTED * static_intervals.sum(axis=-1, keepdims=True)).astype(int)
+        rests = np.broadcast_to(self.rest, squares.shape)
+        ordered = np.cumsum(np.sort(np.where(rests, squares, np.inf), axis=-1), axis=-1)
+        count = np.ceil(_TRUSTED * rests.sum(axis=-1, keepdims=True)).astype(int)
         summed = np.take_along_axis(ordered, np.maximum(count - 1, 0), axis=-1)[..., 0]
-        rate = (
-            np.where(static_intervals.any(axis=-1), summed / np.maximum(count[..., 0], 1), 0.0)
-            / least
-        )
+        rate = np.where(rests.any(axis=-1), summed / np.maximum(count[..., 0], 1), 0.0) / least
         return np.sqrt(np.maximum(force, rate))
 
 

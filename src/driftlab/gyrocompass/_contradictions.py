@@ -28,9 +28,7 @@ class RateContradiction(NamedTuple):
     rate_discrepancy: FloatArray  # whole rate less the Earth's, rad/s
     latitude_discrepancy: FloatArray  # latitude found less the known one, rad
     spurious_rate: FloatArray  # root mean square over the directions that are known, rad/s
-    heading_uncertainty: (
-        FloatArray  # by how much such a rate can turn the heading, rad, at most pi/2
-    )
+    heading_uncertainty: FloatArray  # how far such a rate can turn the heading, rad, at most pi/2
 
 
 def rate_contradiction(

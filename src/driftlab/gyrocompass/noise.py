@@ -96,10 +96,8 @@ class GyroNoise:
         draws[..., 1:] *= np.sqrt(1 - kept**2)
         from scipy.signal import lfilter  # takes a third of a second to be loaded
 
-        gauss_markov = lfilter([1.0], [1.0, -kept], draws, axis=-1)
-        noise: FloatArray = self.gauss_markov * gauss_markov + self.white * source.standard_normal(
-            size
-        )
+        slow = self.gauss_markov * lfilter([1.0], [1.0, -kept], draws, axis=-1)
+        noise: FloatArray = slow + self.white * source.standard_normal(size)
         if self.quantisation:
             rounding = source.standard_normal((*size[:-1], size[-1] + 1))
             noise += self.quantisation / self.interval * np.diff(rounding)
@@ -135,10 +133,10 @@ class GyroNoise:
         x = times / self.correlation_time
         # Most of the terms cancel in short times, so there the series stands for them.
         long = np.maximum(x, _SHORT)
-        gauss_markov = np.where(
+        slow = np.where(
             x > _SHORT,
             2 / long * (1 - (3 - 4 * np.exp(-long) + np.exp(-2 * long)) / (2 * long)),
             2 * x / 3 - x**2 / 2 + 7 * x**3 / 30,
         )
         fast = self.white**2 * self.interval / times + 3 * (self.quantisation / times) ** 2
-        return np.sqrt(fast + self.gauss_markov**2 * gauss_markov)
+        return np.sqrt(fast + self.gauss_markov**2 * slow)

@@ -336,18 +336,15 @@ def _heading_errors(
     interval, angle, _ = way.increments
     noise = compass.gyro_noise
     before = max(round(compass.alignment_time / interval), 1)
-    gauss_markov = replace(noise, white=0.0, quantisation=0.0, interval=interval)
-    drift = gauss_markov.samples(before - 1 + len(angle), rng, *starts, 3)
+    slow = replace(noise, white=0.0, quantisation=0.0, interval=interval)
+    drift = slow.samples(before - 1 + len(angle), rng, *starts, 3)
     at_start = drift[..., :before].mean(axis=-1)
-    fast = (
-        replace(noise, gauss_markov=0.0)
-        .sampled_every(interval)
-        .samples(len(angle), rng, *starts, 3)
+    rest = replace(noise, gauss_markov=0.0)
+    fast = rest.sampled_every(interval).samples(len(angle), rng, *starts, 3)
+    averaged = rest.standard_deviation_of_mean(
+        max(round(compass.alignment_time / noise.interval), 1)
     )
-    averaged = max(round(compass.alignment_time / noise.interval), 1)
-    fast[..., 0] = replace(noise, gauss_markov=0.0).standard_deviation_of_mean(
-        averaged
-    ) * rng.standard_normal(at_start.shape)
+    fast[..., 0] = averaged * rng.standard_normal(at_start.shape)
     bias = drift[..., before - 1 :] + fast
     bias[..., 0] = at_start + fast[..., 0]
     told = way.velocity * (-1.0 if blind else compass.speed_log_scale_factor)

@@ -199,13 +199,13 @@ def test_averaging_falls_with_the_square_root_down_to_the_slow_part(
     for white, alone in zip(alignments.WHITE, white_alone, strict=True):
         expected = white * HOURLY / np.sqrt(data.samples) / LEVEL_RATE
         np.testing.assert_allclose(alone, expected, rtol=1e-12)
-    gauss_markov = np.sqrt(formula**2 - white_alone**2)
+    slow = np.sqrt(formula**2 - white_alone**2)
     floor = alignments.SLOW * HOURLY / LEVEL_RATE
     x = data.samples * 0.1 / 3600
     # The variance of a mean over x correlation times; a sum for an integral.
     expected = floor * np.sqrt(2 * (x + np.expm1(-x))) / x
-    np.testing.assert_allclose(gauss_markov[:, 2:], np.tile(expected[2:], (2, 1)), rtol=1e-3)
-    assert (gauss_markov > 0.9 * floor)[:, :-1].all()
+    np.testing.assert_allclose(slow[:, 2:], np.tile(expected[2:], (2, 1)), rtol=1e-3)
+    assert (slow > 0.9 * floor)[:, :-1].all()
 
 
 @published("09-averaging-window")

@@ -126,9 +126,9 @@ def _through_the_bell(noise: GyroNoise, times: FloatArray) -> FloatArray:
     bell = 140 * (part * (1 - part)) ** 3 / 400
     apart = np.abs(part - part[:, np.newaxis])
     lags = times[:, np.newaxis, np.newaxis] / noise.correlation_time * apart
-    gauss_markov = noise.gauss_markov**2 * np.einsum("i,kij,j->k", bell, np.exp(-lags), bell)
+    slow = noise.gauss_markov**2 * np.einsum("i,kij,j->k", bell, np.exp(-lags), bell)
     white = noise.white**2 * noise.interval * 400 * (bell @ bell) / times
-    return np.sqrt(white + gauss_markov)
+    return np.sqrt(white + slow)
 
 
 def _about_up(angle: object) -> FloatArray:

@@ -13,7 +13,7 @@ from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.turn_calibration import earth_rate_offset
 from driftlab.recordings.publishers import ferraris_sections, published
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.static_detection import static_intervals as rests_of
+from driftlab.recordings.static_detection import static_intervals
 
 from .force_and_gravity import force_and_gravity
 
@@ -31,7 +31,7 @@ _BESIDE = 0.5
 """Seconds of rest just before a turn that tell where gravity is."""
 
 
-class StaticIntervals(NamedTuple):
+class _RestMeans(NamedTuple):
     """What the six rests of the session say of the sensors."""
 
     gyro_bias: FloatArray  # (3,), mean over all rests, rad/s
@@ -55,23 +55,21 @@ def hand_turns(stop_standard_deviation: float = STOP) -> DataTable:
     """
     stop_standard_deviation = positive_number(stop_standard_deviation, "stop_standard_deviation")
     log, rows = published("ferraris-session", download=False), ferraris_sections(download=False)
-    static_intervals = _rests(log, [slice(*rows[side]) for side in SIDES])
-    stops = rests_of(log).rows
-    turns = [
-        _turn(log, axis, rows[name], stops, static_intervals) for axis, name in enumerate(TURNS)
-    ]
+    rests = _rests(log, [slice(*rows[side]) for side in SIDES])
+    stops = static_intervals(log).rows
+    turns = [_turn(log, axis, rows[name], stops, rests) for axis, name in enumerate(TURNS)]
     found = {field: np.array([turn[field] for turn in turns]) for field in turns[0]}
     gravity, duration, integral = found["gravity"], found["duration"], found["integral"]
     # The triad, a column a turn, shows what a turn about gravity would read instead of one about n.
     triad = integral.T / np.copysign(2 * np.pi, np.diag(integral))
     axis = np.einsum("ki,ij,kj->k", gravity, triad, gravity) - np.diag(triad)
     stop = np.full(3, stop_standard_deviation / (2 * np.pi))
-    walk = static_intervals.gyro_noise * np.sqrt(log.interval * duration) / (2 * np.pi)
+    walk = rests.gyro_noise * np.sqrt(log.interval * duration) / (2 * np.pi)
     # An axis along the Earth's own, wherever that was: no turn can show more.
     earth = earth_rate_offset(np.pi / 4, 2 * np.pi / duration, (0.0, 1.0, 1.0))
-    bias = static_intervals.bias_scatter * duration / (2 * np.pi)
+    bias = rests.bias_scatter * duration / (2 * np.pi)
     sources = np.stack([stop, np.abs(axis), bias, walk, earth], axis=1)
-    deviation, ferraris = norm(sources, axis=1), _ferraris_diagonal(log, rows, static_intervals)
+    deviation, ferraris = norm(sources, axis=1), _ferraris_diagonal(log, rows, rests)
     moved = np.abs([found["estimate"] - found["by_sections"], found["by_sections"] - ferraris])
     path, added = found["path"], found["added"]
     next_axis, axis_after = "about the next axis", "about the one after it"
@@ -108,10 +106,10 @@ def hand_turns(stop_standard_deviation: float = STOP) -> DataTable:
     )  # fmt: skip
 
 
-def _rests(log: Recording, parts: list[slice]) -> StaticIntervals:
+def _rests(log: Recording, parts: list[slice]) -> _RestMeans:
     force, _ = force_and_gravity(log)
     means = np.array([log.gyro[rows].mean(axis=0) for rows in parts])
-    return StaticIntervals(
+    return _RestMeans(
         np.concatenate([log.gyro[rows] for rows in parts]).mean(axis=0),
         means.std(axis=0, ddof=1),
         np.sqrt(np.mean([log.gyro[rows].var(axis=0, ddof=1) for rows in parts], axis=0)),
@@ -125,7 +123,7 @@ def _turn(
     axis: int,
     section: tuple[int, int],
     stops: list[tuple[int, int]],
-    static_intervals: StaticIntervals,
+    rests: _RestMeans,
 ) -> dict[str, FloatArray]:
     """What one turn about a body axis gives, by name."""
     begin = max(last for _, last in stops if last <= section[0])
@@ -133,11 +131,11 @@ def _turn(
     cut = slice(section[0] - begin, section[1] - begin)
     n, across = np.eye(3)[axis], [(axis + 1) % 3, (axis + 2) % 3]
     raw = log.part(begin, end).angles()
-    angles = raw - static_intervals.gyro_bias * log.interval
+    angles = raw - rests.gyro_bias * log.interval
     attitude = integrate(angles, "functional-iteration")
     tilts = np.cross(n, rotate(attitude, n))[:, across]
     force, beside = force_and_gravity(log)[0], round(_BESIDE / log.interval)
-    before = force[begin - beside : begin].mean(axis=0) - static_intervals.force_bias
+    before = force[begin - beside : begin].mean(axis=0) - rests.force_bias
     shown = np.linspace(0, len(angles) - 1, POINTS).round().astype(int)
     return {
         "estimate": recorded_turn_estimate(angles, n),
@@ -153,7 +151,7 @@ def _turn(
 
 
 def _ferraris_diagonal(
-    log: Recording, rows: dict[str, tuple[int, int]], static_intervals: StaticIntervals
+    log: Recording, rows: dict[str, tuple[int, int]], rests: _RestMeans
 ) -> FloatArray:
     """Diagonal minus one of Ferraris's gyro matrix, as imucal 2.6.0 computes it: its K times R.
 
@@ -161,12 +159,12 @@ def _ferraris_diagonal(
     """
     all_force, gravity = force_and_gravity(log)
     up, down = slice(0, None, 2), slice(1, None, 2)
-    force_triad = (static_intervals.force[up] - static_intervals.force[down]).T / (2 * gravity)
-    by_force = (static_intervals.gyro[up] - static_intervals.gyro[down]).T / (2 * gravity)
+    force_triad = (rests.force[up] - rests.force[down]).T / (2 * gravity)
+    by_force = (rests.gyro[up] - rests.gyro[down]).T / (2 * gravity)
     columns = []
     for turn in (slice(*rows[name]) for name in TURNS):
-        force = (all_force[turn] - static_intervals.force_bias) @ inv(force_triad).T
-        rate = log.gyro[turn] - static_intervals.gyro_bias - force @ by_force.T
+        force = (all_force[turn] - rests.force_bias) @ inv(force_triad).T
+        rate = log.gyro[turn] - rests.gyro_bias - force @ by_force.T
         columns.append(rate.sum(axis=0) * log.interval / (-2 * np.pi))
     diagonal: FloatArray = np.diag(columns) - 1
     return diagonal
