@@ -125,6 +125,13 @@ def test_turns(scale_factor):
     assert_same(from_json(to_json(fit)), fit)
 
 
+@pytest.mark.parametrize("kept", [FULL, TURNS], ids=["unit", "turns"])
+def test_texts_of_version_0_2_0_are_read(kept):
+    text = to_json(kept).replace('_error_matrix"', '_error"').replace('"scale_factor"', '"scale"')
+    assert text != to_json(kept)
+    assert_same(from_json(text), kept)
+
+
 def test_turns_of_several_triads_at_once():
     fit = fit_turns(RNG.normal(size=(2, 3)), PAIR_AXES)
     assert fit.scale_factor.shape == (2, 0)

@@ -55,6 +55,12 @@ _TURN_UNITS = {
     "covariance": "variances of an estimate, SI",
     "residuals": "1",
 }
+_FORMER = {
+    "gyro_error": "gyro_error_matrix",
+    "accelerometer_error": "accelerometer_error_matrix",
+    "scale": "scale_factor",
+}
+"""Names in texts of version 0.2.0."""
 _NOISE = ("angle_random_walk", "velocity_random_walk", "reference_velocity")
 
 
@@ -343,6 +349,9 @@ def _quantities_of(
     quantities = document.get("quantities")
     if not isinstance(quantities, dict):
         raise ValueError(f"quantities: expected some by name, got {quantities!r:.60}.")
+    for old, new in _FORMER.items():
+        if old in quantities and new not in quantities:
+            quantities[new] = quantities.pop(old)
     if missing := [key for key in needed if key not in quantities]:
         raise ValueError(f"quantities: expected {', '.join(needed)}, got no {missing[0]}.")
     values, standard_deviations = {}, {}
