@@ -62,7 +62,7 @@ def test_deviations_are_those_of_many_records():
         noisy = true.gyro + 5 * HOUR * rng.standard_normal(true.gyro.shape)
         values = found(replace(true, gyro=noisy, latitude=None)).values
         headings.append(values["heading"]["value"])
-        stated.append(values["heading_noise_deviation"])
+        stated.append(values["heading_noise_standard_deviation"])
     # Of 60 records the deviation is known to 1 in sqrt(118), the mean of the stated ones better.
     assert np.std(headings, ddof=1) / np.mean(stated) == pytest.approx(1.0, abs=4 / np.sqrt(118))
 

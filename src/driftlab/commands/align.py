@@ -355,20 +355,20 @@ def _values(found: AtRest) -> dict[str, Any]:
     }
     if not found.blind:
         values["heading"]["deviation"] = found.of_means
-        values["heading_noise_deviation"] = deviation.heading
+        values["heading_noise_standard_deviation"] = deviation.heading
         values["compass_heading"] = values["heading"] | {"value": _compass(whole.heading)}
     if not np.isnan(found.drift):
         values["heading_bias_standard_deviation"] = found.turn
-        values["gyro_drift_deviation"] = found.drift
+        values["gyro_drift_standard_deviation"] = found.drift
     if swaying is not None:
         values["in_inertial_space"] = {
             "heading": swaying.heading,
             "compass_heading": _compass(swaying.heading),
             "deviation": found.in_inertial_space,
-            "noise_deviation": swaying.deviation,
+            "noise_standard_deviation": swaying.deviation,
             "pitch": swaying.pitch,
             "roll": swaying.roll,
-            "tilt_deviation": found.tilt,
+            "tilt_standard_deviation": found.tilt,
         }
     return {**values, "mean_rate_fur": found.rate, "earth_rate_sensed": not found.biased}
 

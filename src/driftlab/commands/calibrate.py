@@ -224,7 +224,7 @@ def _consistency_table(fit: MultiPositionCalibration) -> Table:
         square, freedom, low, high = (written(x, digits=3) for x in test[:4])
         rows.append((name, square, freedom, f"{low} to {high}", verdict))
     note = "The sum of the squared residuals over those of the noise, and where 95 of 100 lie."
-    head = ("", "chi-square", "degrees_of_freedom", "expected", "")
+    head = ("", "chi-square", "degrees of freedom", "expected", "")
     return Table("Does noise explain what is left?", head, tuple(rows), note)
 
 
