@@ -198,7 +198,7 @@ def _explained(
         else:
             advice += (
                 "Are the errors larger than the prior says? Then a larger prior, and a second pass "
-                "about this result"
+                "with this result as linearization_point"
             )
     plain = [tuple(part.rstrip(".?") for part in parts) for parts in (said, noise, slips)]
     return Diagnosis(plain[0], plain[1], plain[2], advice)

@@ -158,7 +158,7 @@ def measured_rate(rate: ArrayLike, error_matrix: ArrayLike) -> FloatArray:
 
 
 def non_orthogonality(error_matrix: ArrayLike) -> FloatArray:
-    """Symmetric part of a triad error, which alone makes drift to first order; Larin (2.5).
+    """Symmetric part of an error matrix, which alone makes drift to first order; Larin (2.5).
 
     Parameters
     ----------

@@ -140,7 +140,7 @@ def many(scheme, runs, noisy=True, size=40):
     shape = (runs, *run["reference_velocity"].shape)
     reference = noisy * run["noise"].reference_velocity * rng.standard_normal(shape)
     start = multiply(tilts, RECORDS[scheme].attitude[0])
-    # `told` draws one noise for all; each run has its own.
+    # `inputs` draws one noise for all; each run has its own.
     noise = measure(
         Increments(STEP, *np.zeros((2, runs, *run["increments"].angle.shape[-2:]))),
         NO_ERRORS,

@@ -65,7 +65,7 @@ def said(monkeypatch):
     [
         ({"slips": ["Is it A?", "Is it B?"], "noise": ["Is it N?"]}, ": Is it A; or Is it B?"),
         ({"noise": ["Is it M?", "Is it N?"]}, ": Is it M; and Is it N?"),
-        ({}, "a second pass about this result."),
+        ({}, "a second pass with this result as linearization_point."),
     ],
 )
 def test_before_the_filter_noise_is_asked_only_where_no_slip_explains(said, found, ends):

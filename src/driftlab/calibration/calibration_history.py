@@ -164,7 +164,8 @@ class Calibration(NamedTuple):
         return [
             "expected scale and installation errors whose squares are below "
             f"{_SECOND_ORDER:g} stated deviations, got {largest:.3g}: errors too large for first "
-            "order, and deviations stated too small: go over the record again, about this result"
+            "order, and deviations stated too small: go over the record again, with this result "
+            "as linearization_point"
         ]
 
 

@@ -59,7 +59,7 @@ TAKE_THE_MEAN = (
 class FilterFailure(ValueError):
     """Error of a filter that could not go on to the end of a record.
 
-    Its `told` are the arguments of `calibrate`, for `driftlab.diagnosis.diagnose`.
+    Its `inputs` are the arguments of `calibrate`, for `driftlab.diagnosis.diagnose`.
     """
 
     def __init__(self, sentence: str, inputs: FilterInputs | None = None) -> None:
@@ -130,7 +130,8 @@ def calibrate(
     ------
     ValueError
         If shapes do not fit, the place is a pole, there are fewer than four increments, the
-        reference velocity is said to be without noise, or `about` is of another model.
+        reference velocity is said to be without noise, or `linearization_point` is of another
+        model.
     FilterFailure
         If the record contradicts what was told so much that the filter cannot go on.
 
@@ -169,7 +170,7 @@ def calibrate(
     white noise.
 
     The first pass feeds its estimates back at once; what it learnt while they were far off it has
-    learnt with the wrong derivatives. A pass `about` a result navigates with that from the
+    learnt with the wrong derivatives. A pass about a result navigates with that from the
     beginning and feeds nothing back. It starts from the same prior about the same mean, so nothing
     counts twice: a step of Gauss and Newton.
 

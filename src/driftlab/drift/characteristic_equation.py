@@ -82,7 +82,7 @@ def exact_roots(rate: ArrayLike, measured_rate: ArrayLike) -> ComplexArray:
 
     See Also
     --------
-    asymptotic_roots : For a small error of the triad.
+    asymptotic_roots : For a small error matrix.
 
     Notes
     -----
@@ -105,7 +105,7 @@ def exact_roots(rate: ArrayLike, measured_rate: ArrayLike) -> ComplexArray:
 
 
 def asymptotic_roots(rate: ArrayLike, error_matrix: ArrayLike, *, order: int = 1) -> ComplexArray:
-    r"""Roots of the characteristic equation for a small triad error; Larin (2.2).
+    r"""Roots of the characteristic equation for a small error matrix; Larin (2.2).
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ from driftlab.triad import checked_triad
 def drift_per_cycle(
     increments: ArrayLike, error_matrix: ArrayLike, *, tolerance: float = 1e-4
 ) -> FloatArray:
-    r"""Drift over a closed motion, to first order in the triad error.
+    r"""Drift over a closed motion, to first order in the error matrix.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def drift_per_cycle(
 def exact_drift_per_cycle(
     increments: ArrayLike, error_matrix: ArrayLike, *, tolerance: float = 1e-4
 ) -> FloatArray:
-    """Drift over a closed motion for a triad error of any size: the motion is integrated.
+    """Drift over a closed motion for an error matrix of any size: the motion is integrated.
 
     Parameters
     ----------
@@ -127,7 +127,7 @@ def exact_drift_per_cycle(
 def _closed(
     increments: ArrayLike, error_matrix: ArrayLike, tolerance: float
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Checked increments, their quaternions, the last attitude, and the triad error."""
+    """Checked increments, their quaternions, the last attitude, and the error matrix."""
     turns = finite_array(increments, "increments", 3)
     if turns.ndim < 2:
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {turns.shape}.")

@@ -33,7 +33,7 @@ class Plan(NamedTuple):
     """About which axes to turn, and how to combine the estimates."""
 
     axes: FloatArray  # (m, 3)
-    method: str  # "yates", or what `driftlab.drift.weighing_designs.fit_turns` calls `scale`
+    method: str  # "yates", or the `scale_factor` of `driftlab.drift.weighing_designs.fit_turns`
 
 
 PLANS = {

@@ -32,5 +32,5 @@ def axis_code(values: Values) -> str:
 
 
 def matrix_code(error_matrix: FloatArray) -> str:
-    """Code for a triad error."""
+    """Code for an error matrix."""
     return f"1e-3 * np.array({np.round(1e3 * error_matrix, 6).tolist()})"
