@@ -44,8 +44,8 @@ def innovations(squares, mean):
     ],
 )
 def test_the_worst_of_both_tests_is_told(squares, mean, found):
-    inputs = innovations(squares, mean)._contradiction()
-    assert inputs == (found and (found[0], f"expected {found[1]}"))
+    said = innovations(squares, mean)._contradiction()
+    assert said == (found and (found[0], f"expected {found[1]}"))
 
 
 def test_normalised_innovations_have_the_nis_for_square():

@@ -227,8 +227,8 @@ def test_a_filter_of_27_states_is_wrong_by_many_deviations_and_its_innovations_s
 def test_all_new_states_can_be_seen(scheme):
     assert not unobservable_subspace(linearize_along(scheme, LATITUDE, LARGER)).descriptions
     everything = FULL.with_states(*GROUPS)
-    inputs = unobservable_subspace(linearize_along(scheme, LATITUDE, everything)).descriptions
-    assert inputs == [
+    told = unobservable_subspace(linearize_along(scheme, LATITUDE, everything)).descriptions
+    assert told == [
         f"both triads turned together about {axis}, the attitude with them" for axis in "xyz"
     ]
 

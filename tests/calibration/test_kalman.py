@@ -67,17 +67,17 @@ def test_correction_adds_the_information_of_the_measurement(seed, size, measured
     covariance, _, _, innovation, seen, spread = random_step(seed, size, measured, spread=0.0)
     step = correct(covariance, innovation, seen, spread)
     before = np.linalg.inv(covariance)
-    inputs = seen.T @ np.linalg.inv(spread)
-    information = before + inputs @ seen
+    told = seen.T @ np.linalg.inv(spread)
+    information = before + told @ seen
     expected = np.linalg.inv(information)
     # Inverses are exact to rounding times condition; twice inverted, in units of P before.
     bound = (
         1e3 * EPS * np.linalg.cond(covariance) * np.linalg.cond(spread) * np.abs(covariance).max()
     )
     np.testing.assert_allclose(step.covariance, expected, rtol=0, atol=bound)
-    size_of = np.abs(inputs @ innovation).sum()
+    size_of = np.abs(told @ innovation).sum()
     np.testing.assert_allclose(
-        step.correction, expected @ inputs @ innovation, rtol=0, atol=bound * (1 + size_of)
+        step.correction, expected @ told @ innovation, rtol=0, atol=bound * (1 + size_of)
     )
 
 

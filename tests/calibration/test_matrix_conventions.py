@@ -327,9 +327,9 @@ def test_what_cannot_be_said_is_refused_with_a_sentence(case):
 
 def test_a_ros_calibration_leaves_the_gyros_axes_alone_unless_told():
     force = np.diag([1.25, 1.0, 0.9]), [0.25, 0.0, 0.1], [1e-3, 2e-3, 3e-3]
-    found, inputs = RosMatrices(*force).imu_errors, RosMatrices(*force, np.eye(3)).imu_errors
+    found, told = RosMatrices(*force).imu_errors, RosMatrices(*force, np.eye(3)).imu_errors
     np.testing.assert_array_equal(found.gyro_error_matrix, np.zeros((3, 3)))
-    for one, other in zip(found, inputs, strict=True):
+    for one, other in zip(found, told, strict=True):
         np.testing.assert_array_equal(one, other)
 
 

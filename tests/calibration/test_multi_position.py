@@ -271,16 +271,16 @@ def test_variances_are_those_of_means_and_of_turns():
     poses = poses_of(log(true), rows)
     lengths = np.array([[e - b] for b, e in rows])
     samples = RATE * noisy.angle, RATE * noisy.velocity
-    inputs, colour = _variances(*samples, rows, poses, NOISE)
-    np.testing.assert_allclose(inputs.force, 1e-3**2 * RATE / lengths * np.ones(3))
-    np.testing.assert_allclose(inputs.rate, 1e-4**2 * RATE / lengths * np.ones(3))
-    np.testing.assert_allclose(inputs.move, 1e-4**2 / RATE * np.diff(poses.edges))
-    assert inputs.earth == pytest.approx(EARTH_RATE**2 / 3)
+    told, colour = _variances(*samples, rows, poses, NOISE)
+    np.testing.assert_allclose(told.force, 1e-3**2 * RATE / lengths * np.ones(3))
+    np.testing.assert_allclose(told.rate, 1e-4**2 * RATE / lengths * np.ones(3))
+    np.testing.assert_allclose(told.move, 1e-4**2 / RATE * np.diff(poses.edges))
+    assert told.earth == pytest.approx(EARTH_RATE**2 / 3)
     assert np.isnan(colour).all()
     found, _ = _variances(*samples, rows, poses, None)
     # Two means in each of four rests, of three axes: a chi-square with 12 degrees or more.
-    assert 0.3 < np.mean(found.force / inputs.force) < 2.5
-    assert 0.3 < np.mean(found.rate / inputs.rate) < 2.5
+    assert 0.3 < np.mean(found.force / told.force) < 2.5
+    assert 0.3 < np.mean(found.rate / told.rate) < 2.5
 
 
 def test_noise_of_the_rests_is_noise_enough():
@@ -289,8 +289,8 @@ def test_noise_of_the_rests_is_noise_enough():
     true, rows = by_hand()
     record = log(measure(true, unit(4), NOISE, np.random.default_rng(1)))
     own = calibrate_multi_position(record, rows, gravity=GRAVITY)
-    inputs = calibrate_multi_position(record, rows, gravity=GRAVITY, noise=NOISE)
-    ratio = own.standard_deviations.gyro_error_matrix / inputs.standard_deviations.gyro_error_matrix
+    told = calibrate_multi_position(record, rows, gravity=GRAVITY, noise=NOISE)
+    ratio = own.standard_deviations.gyro_error_matrix / told.standard_deviations.gyro_error_matrix
     low, high = np.sqrt(chi_bounds(30))
     assert (ratio > low).all()
     assert (ratio < high).all()
@@ -328,14 +328,14 @@ def test_with_what_is_missing_the_noise_explains_the_residuals():
         angle[end + 2 : begin - 2] += 0.02 / MOVE * rng.standard_normal(3)
     record = log(measured._replace(angle=angle, velocity=velocity))
     poses = poses_of(record, rows)._replace(velocity=None)
-    inputs, _ = _variances(RATE * angle, RATE * velocity, rows, poses, NOISE)
-    found = fit_poses(poses, inputs, None, None)
+    told, _ = _variances(RATE * angle, RATE * velocity, rows, poses, NOISE)
+    found = fit_poses(poses, told, None, None)
     excess = found.tests[:, 4]
     assert excess.min() > 0
-    more = inputs._replace(
-        force=inputs.force + excess[0] ** 2,
-        move=inputs.move + excess[1] ** 2,
-        rate=inputs.rate + excess[2] ** 2,
+    more = told._replace(
+        force=told.force + excess[0] ** 2,
+        move=told.move + excess[1] ** 2,
+        rate=told.rate + excess[2] ** 2,
     )
     again = fit_poses(poses, more, None, None)
     np.testing.assert_allclose(again.tests[:, 0], again.tests[:, 1], rtol=3e-3)

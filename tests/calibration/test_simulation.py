@@ -292,9 +292,9 @@ def test_unit_in_its_own_axes_stays():
         random_imu_errors(PriorStandardDeviations(), np.random.default_rng(0), 4),
     ):
         same, turn = imu_errors_in_frame(imu_errors, None)
-        for own, inputs in zip(same, imu_errors, strict=True):
-            np.testing.assert_array_equal(own, inputs)
-            assert not np.shares_memory(own, inputs)
+        for own, told in zip(same, imu_errors, strict=True):
+            np.testing.assert_array_equal(own, told)
+            assert not np.shares_memory(own, told)
         np.testing.assert_array_equal(
             turn, np.broadcast_to(np.eye(3), imu_errors.gyro_error_matrix.shape)
         )
