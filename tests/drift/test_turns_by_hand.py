@@ -24,28 +24,28 @@ def turned(*angle, rows=100):
 
 def record(*moves):
     """Increments of moves with rests between them, and the rests."""
-    parts, static_intervals, at = [], [], 0
+    parts, rests, at = [], [], 0
     for move in [*moves, None]:
-        static_intervals.append((at, at + len(REST)))
+        rests.append((at, at + len(REST)))
         parts.append(REST)
         at += len(REST)
         if move is not None:
             parts.append(move)
             at += len(move)
-    return np.concatenate(parts), np.array(static_intervals)
+    return np.concatenate(parts), np.array(rests)
 
 
 def test_a_rest_may_begin_where_the_last_ends():
-    rows, static_intervals = record(turned(0, 0, 1.0))
-    first, second = static_intervals
+    rows, rests = record(turned(0, 0, 1.0))
+    first, second = rests
     (found,) = hand_turns(rows, 0.1, [[0, 20], [20, first[1]], second])
     assert (found.axis, found.turns, found.begin, found.end) == (2, 1, 30, 160)
 
 
 def test_finds_turns_and_leaves_out_other_moves():
     moves = turned(0, 0, 1.01), turned(0, 0.25, 0), turned(-2.02, 0, 0), turned(0.7, 0, 0.7)
-    rows, static_intervals = record(*moves)
-    found = hand_turns(rows, 0.1, static_intervals)
+    rows, rests = record(*moves)
+    found = hand_turns(rows, 0.1, rests)
     assert [(each.axis, each.turns) for each in found] == [(2, 1), (0, -2)]
     assert [(each.begin, each.end) for each in found] == [(20, 160), (300, 440)]
     assert np.allclose([each.estimate for each in found], 0.01, rtol=0, atol=1e-12)
@@ -55,20 +55,20 @@ def test_finds_turns_and_leaves_out_other_moves():
 def test_tells_the_moves_that_nearly_were_turns():
     there_and_back = np.concatenate([turned(0, 0, 1.0), turned(0, 0, -1.0)])
     moves = turned(0, 330 / 360, 0), turned(0, 0, 1.01), turned(0.5, 0, 0), there_and_back
-    rows, static_intervals = record(*moves, turned(0.2, 0, 1.0), turned(0, 0.25, 0))
+    rows, rests = record(*moves, turned(0.2, 0, 1.0), turned(0, 0.25, 0))
     bias = np.array([1e-4, -2e-4, 3e-4])  # up to four degrees in a move, which is no reach
-    found = near_turns(rows + bias, 0.1, static_intervals)
+    found = near_turns(rows + bias, 0.1, rests)
     assert [(each.axis, each.begin, each.end) for each in found] == [
         (1, 20, 160),
         (2, 440, 680),
         (2, 680, 820),
     ]
-    whole = [each.begin for each in hand_turns(rows, 0.1, static_intervals)]
+    whole = [each.begin for each in hand_turns(rows, 0.1, rests)]
     assert whole == [160]
     reached = np.degrees([each.reach for each in found])
     assert np.allclose(reached, [330, 360, 360], rtol=0, atol=1e-9)
     ended, across = np.degrees(
-        [(each.angle, each.across) for each in near_turns(rows, 0.1, static_intervals)]
+        [(each.angle, each.across) for each in near_turns(rows, 0.1, rests)]
     ).T
     assert np.allclose(ended, [330, 0, 360], rtol=0, atol=1e-9)
     assert np.allclose(across, [0, 0, 72], rtol=0, atol=1e-9)
@@ -77,31 +77,31 @@ def test_tells_the_moves_that_nearly_were_turns():
 
 def test_turn_about_a_pair_axis_is_found_if_it_is_looked_for():
     pair = np.array([1.0, 1.0, 0.0]) / np.sqrt(2)
-    rows, static_intervals = record(turned(*pair))
-    assert hand_turns(rows, 0.1, static_intervals) == []
-    (found,) = hand_turns(rows, 0.1, static_intervals, [[1, 1, 0], [0, 1, 1]])
+    rows, rests = record(turned(*pair))
+    assert hand_turns(rows, 0.1, rests) == []
+    (found,) = hand_turns(rows, 0.1, rests, [[1, 1, 0], [0, 1, 1]])
     assert (found.axis, found.turns) == (0, 1)
 
 
 def test_steady_part_of_a_turn_is_no_rest():
-    rows, static_intervals = record(turned(0, 0, 1.0), turned(0, 0, -1.0))
-    with_steady = np.insert(static_intervals, [1, 2], [[60, 90], [200, 230]], axis=0)
-    assert hand_turns(rows, 0.1, with_steady) == hand_turns(rows, 0.1, static_intervals)
+    rows, rests = record(turned(0, 0, 1.0), turned(0, 0, -1.0))
+    with_steady = np.insert(rests, [1, 2], [[60, 90], [200, 230]], axis=0)
+    assert hand_turns(rows, 0.1, with_steady) == hand_turns(rows, 0.1, rests)
 
 
 def test_the_hand_is_still_at_work_at_the_ends_of_a_rest():
-    rows, static_intervals = record(turned(0, 0, 1.0), turned(0, 0, -1.0))
-    for begin, end in static_intervals:
+    rows, rests = record(turned(0, 0, 1.0), turned(0, 0, -1.0))
+    for begin, end in rests:
         rows[begin : begin + 10] += [0.0, 0.0, 1e-3]
         rows[end - 10 : end] -= [0.0, 0.0, 2e-3]
-    found = hand_turns(rows, 0.1, static_intervals)
+    found = hand_turns(rows, 0.1, rests)
     assert np.allclose([each.static_rate for each in found], 0.0, rtol=0, atol=1e-15)
 
 
 @pytest.mark.parametrize("bias", [[0.0, 0.0, 0.002], [1e-3, -8e-4, 5e-4]])
 def test_rests_tell_the_bias_along_and_take_out_the_square_of_that_across(bias):
-    rows, static_intervals = record(turned(0, 0, 1.0), turned(0, 0, -1.0))
-    found = hand_turns(rows + bias, 0.1, static_intervals)
+    rows, rests = record(turned(0, 0, 1.0), turned(0, 0, -1.0))
+    found = hand_turns(rows + bias, 0.1, rests)
     assert np.allclose([each.static_rate for each in found], 10 * bias[2], rtol=1e-12)
     fit = fit_hand_turns(found)
     assert np.allclose(fit.sigma, 0, atol=1e-12)
@@ -180,7 +180,7 @@ def test_turns_may_take_less_than_a_second():
 
 
 @pytest.mark.parametrize(
-    ("static_intervals", "sentence"),
+    ("rests", "sentence"),
     [
         ([[0, 10], [5, 20]], r"^static_intervals: expected rows from 0 to 100 in order"),
         ([[0, 10], [90, 101]], r"^static_intervals: expected rows from 0 to 100 in order"),
@@ -189,9 +189,9 @@ def test_turns_may_take_less_than_a_second():
         ([[0.0, 10.0]], r"^static_intervals: expected whole numbers of shape \(m, 2\)"),
     ],
 )
-def test_rests_that_are_none_are_refused(static_intervals, sentence):
+def test_rests_that_are_none_are_refused(rests, sentence):
     with pytest.raises(ValueError, match=sentence):
-        hand_turns(np.zeros((100, 3)), 0.1, static_intervals)
+        hand_turns(np.zeros((100, 3)), 0.1, rests)
 
 
 def test_one_sense_is_refused_and_nothing_too():

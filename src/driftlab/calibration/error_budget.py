@@ -171,8 +171,8 @@ def mission_error_sources(
     sine, cosine = np.sin(angle), np.cos(angle)
     swept = np.array([[sine, cosine - 1, 0], [1 - cosine, sine, 0], [0, 0, angle]])
     phi = np.column_stack([tilt, azimuth]) - bent @ swept.T
-    linearization_point = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
-    drift, push = sensed(linearization_point @ body)
+    turned = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
+    drift, push = sensed(turned @ body)
     return np.column_stack([phi, np.zeros((model.size, 4)), drift, push[:, :2]]).T
 
 

@@ -36,13 +36,13 @@ def test_the_slivers_are_the_error_of_sums_only(rate: float) -> None:
 
 def test_the_square_is_left_open_by_its_area() -> None:
     """The rest is of the third power of the turns: halve them, and an eighth of it is left."""
-    static_intervals = []
+    rests = []
     for size in (0.1, 0.05):
         data = square_of_turns(size, size / 2)
         assert np.allclose(data.summed[-1], 0)
         assert data.area[-1] == pytest.approx(size**2 / 2)
-        static_intervals.append(np.linalg.norm(data.vector[-1] - [0, 0, data.area[-1]]))
-    assert static_intervals[0] / static_intervals[1] == pytest.approx(8, rel=0.05)
+        rests.append(np.linalg.norm(data.vector[-1] - [0, 0, data.area[-1]]))
+    assert rests[0] / rests[1] == pytest.approx(8, rel=0.05)
 
 
 def test_the_body_turns_by_the_increments() -> None:

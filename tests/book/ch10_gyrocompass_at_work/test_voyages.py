@@ -184,12 +184,12 @@ def test_the_speed_deviation_is_that_of_the_course(figure: PublishedFigure) -> N
 @published("10-ballistic-error")
 def test_schulers_tuning_with_a_log_has_no_tilt(figure: PublishedFigure) -> None:
     runs = figure.data.runs
-    plain, speed_log, stiff, soft, damped = runs.values()
+    plain, with_log, stiff, soft, damped = runs.values()
     coriolis = 2 * EARTH_RATE * np.sin(LATITUDE) * SPEED / GRAVITY
     assert 0.3 * coriolis < largest(plain.tilt) < 2.1 * coriolis
-    assert largest(speed_log.tilt) < 0.005 * largest(plain.tilt)
-    assert largest(speed_log.tilt) < 0.001 * arcminute
-    assert largest(speed_log.heading_error) < 0.005 * largest(plain.heading_error)
+    assert largest(with_log.tilt) < 0.005 * largest(plain.tilt)
+    assert largest(with_log.tilt) < 0.001 * arcminute
+    assert largest(with_log.heading_error) < 0.005 * largest(plain.heading_error)
     for wrong in (stiff, soft, damped):
         assert largest(wrong.tilt) > 8 * largest(plain.tilt)
     assert largest(damped.heading_error) > 8 * largest(plain.heading_error)
@@ -197,13 +197,13 @@ def test_schulers_tuning_with_a_log_has_no_tilt(figure: PublishedFigure) -> None
 
 def test_a_log_is_of_use_on_every_course_and_in_every_attitude() -> None:
     common = {"speed": 25.0, "course": 2.0, "turn": -1.0, "gyro_bias": np.zeros(3), "pitch": 0.5}
-    plain, speed_log, short = (
+    plain, with_log, short = (
         sail(**common, **setting)
         for setting in ({}, {"speed_log": True}, {"speed_log": True, "interval": 2.0})
     )
-    assert largest(speed_log.tilt) < 0.005 * largest(plain.tilt)
+    assert largest(with_log.tilt) < 0.005 * largest(plain.tilt)
     # What is left is the step, of second order.
-    assert largest(speed_log.tilt) > 3.8 * largest(short.tilt)
+    assert largest(with_log.tilt) > 3.8 * largest(short.tilt)
 
 
 @pytest.mark.parametrize("factor", [0.5, 2.0])

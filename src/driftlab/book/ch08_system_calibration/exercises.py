@@ -51,7 +51,7 @@ def _growth() -> FloatArray:
         replace(noise, reference_velocity=10 * noise.reference_velocity),
     )
     before, *after = (_deviations(NINETEEN_POSITIONS, each) for each in (noise, *louder))
-    return np.stack([standard_deviations / before for standard_deviations in after])[:, SHOWN]
+    return np.stack([each / before for each in after])[:, SHOWN]
 
 
 @cache

@@ -94,12 +94,10 @@ class ObservabilityExplorer(Explorer):
         # One row for each kind of error, so that the table is as long for any states.
         errors = zip(table.names[6:], table.after[6:], strict=True)
         for kind, members in groupby(errors, key=lambda error: error[0].rsplit(" ", 1)[0]):
-            names, standard_deviations = zip(*members, strict=True)
+            names, sizes = zip(*members, strict=True)
             scale, sign = UNITS[state_unit(names[0])]
             places = ", ".join(name.rsplit(" ", 1)[1] for name in names)
-            values = ", ".join(
-                number_text(float(deviation / scale)) for deviation in standard_deviations
-            )
+            values = ", ".join(number_text(float(size / scale)) for size in sizes)
             rows.append((f"{kind} {places}, {sign.strip()}", values))
         return Results(
             ("states that this scheme shows", f"{size - table.unobservable} of {size}"), rows
