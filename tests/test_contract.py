@@ -212,7 +212,7 @@ CASES = {
     noise.GyroNoise().allan_deviation: {"averaging_times": TIME},
     NoiseTerms(1e-6, 1e-5).deviation: {"averaging_times": TIME},
     trials.turntable_heading_error: {
-        "dial": TIME,
+        "dial_reading": TIME,
         "gyro_bias_body": 1e-6 * RATE,
         "accelerometer_bias_body": RATE,
         "latitude": LATITUDE,
@@ -362,7 +362,7 @@ WITHOUT_AXES = (
     "times",
     "duration",
     "averaging_times",
-    "dial",
+    "dial_reading",
     "turn_angle",
     "north_error",
     "latitude_error",

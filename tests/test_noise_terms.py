@@ -33,7 +33,7 @@ def test_a_fit_finds_the_terms_within_its_deviations_and_bounds_the_others():
             1 - MILLION, runs, 0.05
         )
         assert all(fit.upper_bounds[name] > 0 for fit in fits if name in fit.upper_bounds)
-    assert np.mean([fit.misfit for fit in fits]) < 1.1
+    assert np.mean([fit.rms_residual for fit in fits]) < 1.1
 
 
 @pytest.mark.parametrize("name", TERMS)
@@ -62,7 +62,7 @@ def test_what_a_record_is_too_short_to_see_stays_below_its_bound():
 
 def test_noise_of_another_kind_shows_as_misfit():
     rates = np.random.default_rng(9).normal(size=20_000) + 5 * np.sin(np.arange(20_000) / 30)
-    assert fit_noise_terms(allan_deviation(rates, 1.0)).misfit > 5
+    assert fit_noise_terms(allan_deviation(rates, 1.0)).rms_residual > 5
 
 
 def test_terms_that_are_not_sought_are_zero():
@@ -105,7 +105,7 @@ def test_deviations_and_misfit_follow_from_the_covariance_and_the_variances():
         assert 2 * term * deviation == pytest.approx(np.sqrt(fit.covariance[place, place]))
     ratios = (found.deviation / fit.terms.deviation(found.averaging_times)) ** 2
     rest = (ratios - 1) * np.sqrt(found.degrees_of_freedom / 2)
-    assert fit.misfit == pytest.approx(np.sqrt(np.mean(rest**2)))
+    assert fit.rms_residual == pytest.approx(np.sqrt(np.mean(rest**2)))
 
 
 def test_terms_follow_the_unit_of_time():
@@ -119,7 +119,7 @@ def test_terms_follow_the_unit_of_time():
         assert shorter.standard_deviations[name] == pytest.approx(scale * deviation)
     for name, bound in once.upper_bounds.items():
         assert shorter.upper_bounds[name] == pytest.approx(0.1 ** powers[name] * bound, rel=1e-2)
-    assert shorter.misfit == pytest.approx(once.misfit)
+    assert shorter.rms_residual == pytest.approx(once.rms_residual)
 
 
 def test_one_averaging_time_six_times_is_one():

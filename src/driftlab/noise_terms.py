@@ -140,7 +140,7 @@ class NoiseFit:
         Infinite if the record is too short to say anything.
     covariance : ndarray, shape (5, 5)
         Of the squared coefficients, in the order of `TERMS`; zero for terms that are not seen.
-    misfit : float
+    rms_residual : float
         Root mean square of the points' distances from the fit, in standard deviations of each: 1
         or less for noise of these kinds. If it is much more, none of the other numbers holds.
     """
@@ -149,7 +149,7 @@ class NoiseFit:
     standard_deviations: dict[str, float]
     upper_bounds: dict[str, float]
     covariance: FloatArray
-    misfit: float
+    rms_residual: float
 
 
 def fit_noise_terms(allan: AllanDeviation, terms: Iterable[str] = TERMS) -> NoiseFit:

@@ -163,21 +163,21 @@ def test_many_units_at_once_are_each_what_it_is_alone():
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"dial": np.nan}, "^dial: expected finite"),
+        ({"dial_reading": np.nan}, "^dial_reading: expected finite"),
         ({"gyro_bias_body": np.zeros(2)}, r"^gyro_bias_body: expected shape \(..., 3\)"),
         ({"accelerometer_bias_body": 0.0}, r"^accelerometer_bias_body: expected shape \(..., 3\)"),
         ({"north_error": "north"}, "^north_error: expected real numbers"),
         ({"tilt": np.zeros(3)}, r"^tilt: expected shape \(..., 2\)"),
         (
-            {"dial": np.zeros(2), "gyro_bias_body": np.zeros((3, 3))},
-            "^dial, .*leading axes that broadcast",
+            {"dial_reading": np.zeros(2), "gyro_bias_body": np.zeros((3, 3))},
+            "^dial_reading, .*leading axes that broadcast",
         ),
         ({"latitude": np.pi / 2}, "^latitude: expected at most 89.9 degrees from the equator"),
     ],
 )
 def test_refusals(arguments, words):
     good = {
-        "dial": 0.0,
+        "dial_reading": 0.0,
         "gyro_bias_body": NONE,
         "accelerometer_bias_body": NONE,
         "latitude": LATITUDE,

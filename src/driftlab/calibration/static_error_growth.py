@@ -283,8 +283,10 @@ def static_error_sources(
     )
 
 
-def static_errors(times: ArrayLike, latitude: float, causes: ArrayLike) -> StaticNavigationErrors:
-    """Errors of a navigator at rest from their causes: the exact solution of the linear equations.
+def static_errors(
+    times: ArrayLike, latitude: float, error_sources: ArrayLike
+) -> StaticNavigationErrors:
+    """Errors of a navigator at rest from their sources: the exact solution of the linear equations.
 
     Parameters
     ----------
@@ -292,7 +294,7 @@ def static_errors(times: ArrayLike, latitude: float, causes: ArrayLike) -> Stati
         Since the start, s.
     latitude : float
         rad; not a pole.
-    causes : array_like, shape (..., 12)
+    error_sources : array_like, shape (..., 12)
         Errors at the start and sensor biases, in the order of `STATIC_ERROR_SOURCES`.
 
     Returns
@@ -304,13 +306,13 @@ def static_errors(times: ArrayLike, latitude: float, causes: ArrayLike) -> Stati
     --------
     Position error in km after four hours with an East gyro bias of 0.01 deg/h:
 
-    >>> causes = np.zeros(12)
-    >>> causes[STATIC_ERROR_SOURCES.index("gyro bias East")] = np.radians(0.01) / 3600
-    >>> errors = static_errors([4 * 3600.0], np.radians(37.5), causes)
+    >>> sources = np.zeros(12)
+    >>> sources[STATIC_ERROR_SOURCES.index("gyro bias East")] = np.radians(0.01) / 3600
+    >>> errors = static_errors([4 * 3600.0], np.radians(37.5), sources)
     >>> (errors.position[0] / 1e3).round(1)
     array([-1.4, -3.8])
     """
-    given = finite_array(causes, "causes", len(STATIC_ERROR_SOURCES))
+    given = finite_array(error_sources, "error_sources", len(STATIC_ERROR_SOURCES))
     moments = checked_moments(times)
     states = np.einsum(
         "kij,...j->...ki", static_error_modes(latitude).at(moments).sum(axis=0), given
@@ -318,12 +320,14 @@ def static_errors(times: ArrayLike, latitude: float, causes: ArrayLike) -> Stati
     return StaticNavigationErrors(moments, states[..., :3], states[..., 3:5], states[..., 5:7])
 
 
-def schuler_position_error(times: ArrayLike, latitude: float, causes: ArrayLike) -> FloatArray:
+def schuler_position_error(
+    times: ArrayLike, latitude: float, error_sources: ArrayLike
+) -> FloatArray:
     """Position errors as textbooks approximate them: one pendulum, and an Earth that hardly turns.
 
     Parameters
     ----------
-    times, latitude, causes : array_like, float, array_like
+    times, latitude, error_sources : array_like, float, array_like
         As for `static_errors`; few hours.
 
     Returns
@@ -342,15 +346,15 @@ def schuler_position_error(times: ArrayLike, latitude: float, causes: ArrayLike)
     --------
     The same bias as in `static_errors`, after forty minutes and after four hours:
 
-    >>> causes = np.zeros(12)
-    >>> causes[STATIC_ERROR_SOURCES.index("gyro bias East")] = np.radians(0.01) / 3600
+    >>> sources = np.zeros(12)
+    >>> sources[STATIC_ERROR_SOURCES.index("gyro bias East")] = np.radians(0.01) / 3600
     >>> times, latitude = [2400.0, 14400.0], np.radians(37.5)
-    >>> exact = static_errors(times, latitude, causes).position[:, 1]
-    >>> (schuler_position_error(times, latitude, causes)[:, 1] / exact).round(2)
+    >>> exact = static_errors(times, latitude, sources).position[:, 1]
+    >>> (schuler_position_error(times, latitude, sources)[:, 1] / exact).round(2)
     array([1.01, 1.21])
     """
     place = float(checked_latitude(finite_number(latitude, "latitude")))
-    given = finite_array(causes, "causes", len(STATIC_ERROR_SOURCES))
+    given = finite_array(error_sources, "error_sources", len(STATIC_ERROR_SOURCES))
     time = checked_moments(times)
     rate = _rates(place).schuler
     radius = float(gravity(place)) / rate**2

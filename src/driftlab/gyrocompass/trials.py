@@ -18,7 +18,7 @@ from .alignment import align
 
 
 def turntable_heading_error(
-    dial: ArrayLike,
+    dial_reading: ArrayLike,
     gyro_bias_body: ArrayLike,
     accelerometer_bias_body: ArrayLike,
     latitude: ArrayLike,
@@ -32,8 +32,8 @@ def turntable_heading_error(
 
     Parameters
     ----------
-    dial : array_like, shape (...)
-        Reading of the dial, rad.
+    dial_reading : array_like, shape (...)
+        rad.
     gyro_bias_body : array_like, shape (..., 3)
         Gyro biases in body axes, rad/s.
     accelerometer_bias_body : array_like, shape (..., 3)
@@ -67,7 +67,7 @@ def turntable_heading_error(
     array([ 4.57,  2.28, -2.28, -4.57])
     """
     shown, up, over, gyro_biases, accelerometer_biases, place, north, tilts = finite_arrays(
-        dial=(dial,),
+        dial_reading=(dial_reading,),
         pitch=(pitch,),
         roll=(roll,),
         gyro_bias_body=(gyro_bias_body, 3),
