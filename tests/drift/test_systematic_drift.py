@@ -98,7 +98,7 @@ def test_2_1_in_the_squares_of_the_two_rates(rate, measured):
 def test_2_1_in_the_copy_lacks_one_eps_t_eps_in_one_coefficient():
     rate, measured = np.array([1, 2, 3]), np.array([2, 0, 4])  # eps = [1, -2, 1]
     difference = characteristic_polynomial(rate, measured) - characteristic_polynomial(
-        rate, measured, as_printed=True
+        rate, measured, as_copied=True
     )
     np.testing.assert_array_equal(difference, [0, 0, 6, 0, 0])
 
@@ -109,7 +109,7 @@ def test_2_1_in_the_copy_has_the_roots_2_2_to_first_order(axis):
 
     def error(size, pair):
         measured = measured_rate(axis, size * SHAPE)
-        *_, middle, _, constant = characteristic_polynomial(axis, measured, as_printed=True)
+        *_, middle, _, constant = characteristic_polynomial(axis, measured, as_copied=True)
         fast = np.sqrt((middle + np.sqrt(middle**2 - 4 * constant)) / 2)
         slow = np.sqrt(constant) / fast
         exact = np.abs(exact_roots(axis, measured)[2 * pair].imag)

@@ -21,7 +21,7 @@ from .systematic_drift import _along_and_across
 
 
 def characteristic_polynomial(
-    rate: ArrayLike, measured_rate: ArrayLike, *, as_printed: bool = False
+    rate: ArrayLike, measured_rate: ArrayLike, *, as_copied: bool = False
 ) -> FloatArray:
     r"""Coefficients of the characteristic polynomial det(sE - Omega_e); Larin (2.1), corrected.
 
@@ -29,7 +29,7 @@ def characteristic_polynomial(
     ----------
     rate, measured_rate : array_like, shape (..., 3)
         True and measured angular rate in body axes, rad/s.
-    as_printed : bool
+    as_copied : bool
         Use the coefficient of s^2 in the copy of the paper, 4 w^T w + 4 w^T eps + eps^T eps with
         the error eps of the measured rate. It lacks one eps^T eps.
 
@@ -52,7 +52,7 @@ def characteristic_polynomial(
     --------
     >>> characteristic_polynomial([0, 0, 1], [0, 0, 3])
     array([ 1.,  0., 20.,  0., 64.])
-    >>> characteristic_polynomial([0, 0, 1], [0, 0, 3], as_printed=True)
+    >>> characteristic_polynomial([0, 0, 1], [0, 0, 3], as_copied=True)
     array([ 1.,  0., 16.,  0., 64.])
     """
     rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
@@ -60,7 +60,7 @@ def characteristic_polynomial(
     rate_squared, along, error_squared = (
         np.einsum("...i,...i->...", a, b) for a, b in ((rate, rate), (rate, error), (error, error))
     )
-    factor = 1 if truth_value(as_printed, "as_printed") else 2
+    factor = 1 if truth_value(as_copied, "as_copied") else 2
     quadratic = 4 * rate_squared + 4 * along + factor * error_squared
     constant = (2 * along + error_squared) ** 2
     zero = np.zeros_like(quadratic)

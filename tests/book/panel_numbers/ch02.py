@@ -27,8 +27,8 @@ def roots(values: Values) -> Rows:
     measured = measured_rate(rate, error_matrix)
     slow = np.linalg.norm(measured) - np.linalg.norm(rate)
     first, second = (asymptotic_roots(rate, error_matrix, order=n).imag for n in (1, 2))
-    as_printed = characteristic_polynomial(rate, measured, as_printed=True)
-    sizes = np.sort(np.abs(np.sqrt(np.roots(as_printed[::2]) + 0j).imag))
+    as_copied = characteristic_polynomial(rate, measured, as_copied=True)
+    sizes = np.sort(np.abs(np.sqrt(np.roots(as_copied[::2]) + 0j).imag))
     rows = [("slow root, exact", f"{slow:.6f} i")]
     for name, fast, slow_one in (
         ("exact", exact_roots(rate, measured).imag.max(), slow),

@@ -53,7 +53,7 @@ def _one_of_two(values: Mapping[str, Any]) -> FloatArray:
 
 
 @cache
-def _cubic(*, as_printed: bool = False, powers: int = 3) -> Callable[..., float]:
+def _cubic(*, as_copied: bool = False, powers: int = 3) -> Callable[..., float]:
     """Coefficient of mu^3 in the fast root, a function of rho_1 and r.
 
     Of the root of (2.1) as the copy has it if asked for, or of the exact root with the binomial
@@ -63,7 +63,7 @@ def _cubic(*, as_printed: bool = False, powers: int = 3) -> Callable[..., float]
 
     mu, rho, r, x = sp.symbols("mu rho_1 r x", real=True)
     across = rho**2 + r**2
-    if as_printed:
+    if as_copied:
         sum_of_squares = 4 + 4 * mu * rho + mu**2 * across
         product = (2 * mu * rho + mu**2 * across) ** 2
         root = sp.sqrt((sum_of_squares + sp.sqrt(sum_of_squares**2 - 4 * product)) / 2)
@@ -158,7 +158,7 @@ EXERCISES: dict[str, Exercise] = {
                 lambda rho, r: _cubic(powers=2)(rho, r)
             ),
             "This is the term of (2.1) as the copy has it. Start from the exact root.": (
-                lambda rho, r: _cubic(as_printed=True)(rho, r)
+                lambda rho, r: _cubic(as_copied=True)(rho, r)
             ),
             "This is the third derivative; the series divides it by a factorial.": (
                 lambda rho, r: 6 * _cubic()(rho, r)

@@ -78,7 +78,7 @@ def _copied_roots(direction: FloatArray, measured: FloatArray) -> ComplexArray:
 
     For a gross deformation they may leave the imaginary axis, which true roots never do.
     """
-    polynomial = characteristic_polynomial(direction, measured, as_printed=True)
+    polynomial = characteristic_polynomial(direction, measured, as_copied=True)
     b, c = polynomial[..., 2], polynomial[..., 4]
     fast = np.sqrt(0.5 * (b + np.sqrt(b**2 - 4 * c + 0j)))
     slow = np.sqrt(c) / fast * np.sign(exact_roots(direction, measured)[..., 2].imag)
