@@ -71,6 +71,10 @@ from driftlab.motion import profiles, turntable, vehicle
 from driftlab.noise_terms import NoiseTerms
 from support import helper_modules
 
+# These numbers test types and axes, and would be much for biases.
+pytestmark = pytest.mark.filterwarnings(
+    "ignore:(error_quaternion|gyro_bias_n).* is much:driftlab.checks.UnusualWarning"
+)
 Q, P = np.array([0.1, -0.3, 0.2, 0.9]), np.array([0.4, 0.5, -0.6, 0.2])
 RATE, MEASURED = np.array([0.7, -1.1, 0.4]), np.array([0.72, -1.13, 0.37])
 BENT = np.array([[0.03, -0.08, 0.05], [0.09, -0.02, 0.07], [-0.06, 0.04, 0.01]])

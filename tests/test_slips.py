@@ -395,6 +395,17 @@ def test_named_slip_is_told_what_would_be_right(slip, sentence):
         (lambda: TurntableRotation(rate=np.radians(6000)), r"^rate: .* is 6000 degrees a second"),
         (lambda: dl.drift.drift_coefficient([1, 1, 0], np.eye(3)), r"^error_matrix: .* I \+ M\?"),
         (lambda: dl.frames.from_euler_angles(90, 0, 0), r"^heading: 90 rad is 14\.3 turns"),
+        (lambda: dl.turn_estimate([1.0, 0, 0, 1e-3], [1, 0, 0]), r"^error_quaternion: .* last"),
+        (
+            lambda: dl.alignment_errors(0, 0, 0.7, [0.01, 0, 0], np.zeros(3)),
+            r"^gyro_bias_nue: 0\.01 rad/s is much: .* np\.radians\(x\) / 3600",
+        ),
+        (
+            lambda: dl.operating_heading_error(
+                0.7, *[[0, 0]] * 3, [0.01, 0], yaw_error=0, heading=0, pitch=0
+            ),
+            r"^gyro_bias_north_east: 0\.01 rad/s is much",
+        ),
     ],
 )
 def test_what_is_only_unusual_is_warned_of(unusual, words):

@@ -27,6 +27,7 @@ from driftlab.checks import (
     one_of,
     plausible_error_matrix,
     whole_number,
+    within,
 )
 from driftlab.core.loops import cumulative_product
 from driftlab.core.quaternion import from_rotation_vector
@@ -84,6 +85,8 @@ def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) 
         )
     # arctan(along/scalar), defined where the scalar part is zero as well.
     half_angle = np.arctan2(np.where(scalar < 0, -along, along), np.abs(scalar))
+    slip = "an error so large is no small misalignment; or is the scalar first? It belongs last."
+    within(half_angle, "error_quaternion", np.inf, "rad of half its angle", slip, usual=0.3)
     return half_angle / (turns * np.pi)
 
 

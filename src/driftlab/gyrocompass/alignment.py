@@ -36,6 +36,7 @@ from ._contradictions import (
     rate_contradiction,
     sign_slip,
 )
+from .heading_error import checked_small_bias
 
 _LEAST_COLATITUDE = np.radians(0.1)
 _DEG_PER_HOUR = np.radians(1) / 3600
@@ -470,4 +471,5 @@ def _alignment_arguments(
     )
     checked_latitude(arguments[-4])
     checked_gravity(arguments[-1])
+    checked_small_bias(arguments[-3], "gyro_bias_nue")
     return arguments

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_arrays
+from driftlab.checks import FloatArray, finite_arrays, within
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE
 from driftlab.frames import checked_pitch, navigation_frame_rate
 
@@ -220,6 +220,7 @@ def operating_heading_error(
         proportional_rate=(proportional_rate, 2),
     )
     checked_pitch(pitch)
+    checked_small_bias(biases, "gyro_bias_north_east")
     north, up, east = np.moveaxis(navigation_frame_rate(place, speed, radius), -1, 0)
     squared = _level_rate_squared(north, east)
     (alpha, chi), (alpha_rate, chi_rate) = np.moveaxis(tilts, -1, 0), np.moveaxis(tilt_rates, -1, 0)
@@ -234,6 +235,12 @@ def operating_heading_error(
         (alpha * np.cos(heading) - chi * np.sin(heading)) * np.tan(pitch),
     )
     return OperatingHeadingError(*(np.array(term)[()] for term in terms))
+
+
+def checked_small_bias(biases: FloatArray, name: str) -> None:
+    """Warn of gyro biases far above the Earth's rate, which no formula of first order bears."""
+    slip = "first order does not hold; were degrees per hour meant, np.radians(x) / 3600?"
+    within(biases, name, np.inf, "rad/s", slip, usual=10 * EARTH_RATE)
 
 
 def _level_rate_squared(north: FloatArray, east: FloatArray) -> FloatArray:
