@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 import warnings
+from pickle import UnpicklingError
 
 import numpy as np
 import pytest
@@ -232,6 +233,20 @@ def test_a_numba_that_cannot_be_loaded_is_done_without(asked, monkeypatch):
         )
     finally:
         loops._numba.cache_clear()
+
+
+@pytest.mark.parametrize("error", [OSError(28, "disk full"), EOFError(), UnpicklingError("cut")])
+def test_a_damaged_cache_leaves_the_rest_to_numpy(error, monkeypatch):
+    class Damaged:
+        def attitudes(self, *given):
+            raise error
+
+    monkeypatch.setattr(loops, "_numba", Damaged)
+    monkeypatch.setattr(loops, "asked", True)
+    with pytest.warns(UserWarning, match="^Numba cannot keep or read what it has compiled"):
+        found = integrate(ROWS)
+    assert (loops.asked, loops.arithmetic()) == (False, "NumPy")
+    np.testing.assert_array_equal(found, integrate(ROWS))
 
 
 def test_a_block_without_a_compiler_says_so_to_its_processes(monkeypatch):

@@ -5,6 +5,8 @@ import subprocess
 import sys
 from collections import Counter
 from functools import partial
+from hashlib import sha256
+from typing import Any
 
 import joblib
 import numpy as np
@@ -219,7 +221,8 @@ def test_a_damaged_file_is_made_again(tmp_path):
     _, expected = calls_of(folder=tmp_path)
     file = sorted(tmp_path.glob("*/*.batch"))[1]
     whole = file.read_bytes()
-    for harm in (b"", whole[:-1], whole[:40] + b"?" + whole[41:]):
+    gone = b"cnowhere\nNothing\n."  # a pickle of a class that is not there any more
+    for harm in (b"", whole[:-1], whole[:40] + b"?" + whole[41:], sha256(gone).digest() + gone):
         file.write_bytes(harm)
         calls, found = calls_of(folder=tmp_path)
         assert calls == 1
@@ -235,6 +238,38 @@ def test_refusals_are_one_sentence(tmp_path):
         calls_of(lambda rng, size: size, folder=tmp_path)
     with pytest.raises(ValueError, match=r"^workers: expected a number of processes, or -1"):
         calls_of(workers=0)
+    typed: dict[str, Any] = {}
+    exec("def task(rng, size): return size", typed)  # as in a terminal, where it may change unseen
+    with pytest.raises(ValueError, match=r"^task: .* whose source can be read, got"):
+        calls_of(typed["task"], folder=tmp_path)
+
+
+def test_other_default_arguments_are_another_study(tmp_path, monkeypatch):
+    calls_of(folder=tmp_path)
+    monkeypatch.setattr(draws, "__defaults__", (2.0,))
+    calls, found = calls_of(folder=tmp_path)
+    assert calls == 4
+    same(found, calls_of(task=partial(draws, scale=2.0))[1])
+
+
+@pytest.mark.skipif(os.name == "nt" or not hasattr(os, "geteuid"), reason="modes of POSIX")
+def test_others_may_read_what_the_mask_allows(tmp_path):
+    before = os.umask(0o022)
+    try:
+        calls_of(folder=tmp_path)
+    finally:
+        os.umask(before)
+    assert {file.stat().st_mode & 0o777 for file in tmp_path.glob("*/*")} == {0o644}
+
+
+def test_a_failed_write_leaves_nothing(tmp_path, monkeypatch):
+    def full(number):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(OSError, match="No space left"):
+        calls_of(folder=tmp_path)
+    assert not [*tmp_path.glob("*/*")]
 
 
 @pytest.mark.parametrize("asked", [{"workers": 2}, {"folder": "kept"}])

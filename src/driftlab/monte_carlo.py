@@ -10,7 +10,6 @@ import inspect
 import os
 import pickle
 import sys
-import tempfile
 import warnings
 from collections.abc import Callable, Generator
 from contextlib import nullcontext, suppress
@@ -19,6 +18,7 @@ from hashlib import sha256
 from itertools import chain
 from pathlib import Path
 from typing import Any, TypeVar
+from uuid import uuid4
 
 import numpy as np
 import scipy
@@ -78,17 +78,20 @@ def run_batches(
     Raises
     ------
     ValueError
-        If `folder` cannot be written, or if what is in `task` cannot be pickled for it.
+        If `folder` cannot be written, or if `task` has no source or cannot be pickled for it.
     ModuleNotFoundError
         If `workers` or `folder` need joblib, and it is not installed.
 
     Notes
     -----
     A kept batch is read only for the same task and source of its function or class, the same seed
-    and `batch_size`, and the same versions of this package, NumPy, SciPy and Numba. Changes in
-    other functions that the task calls, or in files that it reads, are not seen: use another folder
-    then. Files are read by `pickle`, which runs what it reads: name no folder to which a stranger
-    may write.
+    and `batch_size`, and the same versions of this package, NumPy, SciPy and Numba. Changes in what
+    else the task uses, such as constants of its module, other functions and files, are not seen:
+    use another folder then. Files are read by `pickle`, which runs what it reads: name no folder to
+    which a stranger may write.
+
+    Products of large matrices, if the task has them, have other last digits with several threads
+    than with one. OPENBLAS_NUM_THREADS=1 in the environment gives one process the digits of many.
 
     Examples
     --------
@@ -123,6 +126,8 @@ def run_batches(
         files = [own / f"{number:07d}-{size}.batch" for number, size in enumerate(sizes)]
     kept = _read(files)
     children = np.random.SeedSequence(root).spawn(len(sizes))
+    if len(kept) < len(sizes) and kept_in is not None:
+        _refuse_unwritable(own)
     left = [
         (number, task, children[number], size, files[number], loops.asked)
         for number, size in enumerate(sizes)
@@ -154,7 +159,8 @@ def _made(
     joblib = _joblib(f"workers: {workers} processes")
     here = {"n_jobs": workers, "inner_max_num_threads": 1}
     with nullcontext() if workers is None else joblib.parallel_config("loky", **here):
-        parallel = joblib.Parallel(return_as="generator_unordered", batch_size=1)
+        # Large arrays of the task may be written in workers, as where there are none.
+        parallel = joblib.Parallel(return_as="generator_unordered", batch_size=1, mmap_mode="c")
     yield from parallel(joblib.delayed(_batch)(*batch) for batch in batches)
 
 
@@ -191,10 +197,17 @@ def _own_folder(folder: Path, task: Any, seed: int, batch_size: int) -> Path:
     run = task
     while isinstance(run, partial):
         run = run.func
+    source = _source(run)
+    if not source:
+        raise ValueError(
+            "task: expected, to be kept, a function or class of a file or a notebook, whose source "
+            f"can be read, got {shown(task)}."
+        )
     versions = driftlab.__version__, np.__version__, scipy.__version__, loops.arithmetic()
     joblib = _joblib("folder")
     try:
-        key = joblib.hash((versions, _source(run), task, seed, batch_size))
+        defaults = getattr(run, "__defaults__", None), getattr(run, "__kwdefaults__", None)
+        key = joblib.hash((versions, source, defaults, task, seed, batch_size))
     except Exception as error:
         raise ValueError(
             "task: expected, to be kept, a function of a module, a method or a partial, and in it "
@@ -206,6 +219,16 @@ def _own_folder(folder: Path, task: Any, seed: int, batch_size: int) -> Path:
     except OSError as error:
         raise ValueError(f"folder: expected one to write in, got {folder}: {error}.") from error
     return own
+
+
+def _refuse_unwritable(folder: Path) -> None:
+    """Try to write before anything is computed that would be lost."""
+    trial = folder / f"{uuid4().hex}.part"
+    try:
+        trial.touch()
+        trial.unlink()
+    except OSError as error:
+        raise ValueError(f"folder: expected one to write in, got {folder}: {error}.") from error
 
 
 def _source(run: Any) -> str:
@@ -220,24 +243,32 @@ def _source(run: Any) -> str:
 
 
 def _read(files: list[Path | None]) -> dict[int, Any]:
-    """Results by the numbers of their batches, from the files that are there and undamaged."""
+    """Results by the numbers of their batches, from the files that are there and can be read."""
     results = {}
     for number, file in enumerate(files):
-        data = file.read_bytes() if file and file.exists() else b""
-        digest, result = data[:32], data[32:]
-        if sha256(result).digest() == digest:
-            results[number] = pickle.loads(result)
+        with suppress(Exception):  # whatever is wrong with a file, its batch is made again
+            if file and file.exists():
+                with file.open("rb") as data:
+                    digest, result = data.read(32), data.read()
+                if sha256(result).digest() == digest:
+                    results[number] = pickle.loads(result)
     return results
 
 
 def _write(file: Path, result: Any) -> None:
     """Write a file whole or not at all, whoever is killed and whoever else writes it."""
     data = pickle.dumps(result, protocol=5)
-    with tempfile.NamedTemporaryFile(dir=file.parent, suffix=".part", delete=False) as part:
-        part.write(sha256(data).digest() + data)
-        part.flush()
-        os.fsync(part.fileno())
-    os.replace(part.name, file)
+    part = file.with_name(f"{file.stem}-{uuid4().hex}.part")
+    try:
+        with part.open("xb") as whole:
+            whole.write(sha256(data).digest())
+            whole.write(data)
+            whole.flush()
+            os.fsync(whole.fileno())
+        os.replace(part, file)
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise
 
 
 def mean_square_bounds(

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
 from importlib.util import find_spec
+from pickle import UnpicklingError
 from typing import Any
 
 from driftlab.checks import FloatArray
@@ -57,12 +58,12 @@ def by_numpy_alone() -> Iterator[None]:
 
 
 def arithmetic() -> str:
-    """What computes long records, as "NumPy" or "Numba 0.62.1"; it decides on last digits."""
-    if asked is False or find_spec("numba") is None:
+    """What computes, as "NumPy" or "Numba 0.62.1, long records"; it decides on last digits."""
+    if asked is False or find_spec("numba") is None or _numba() is None:
         return "NumPy"
     from importlib.metadata import version
 
-    return f"Numba {version('numba')}"
+    return f"Numba {version('numba')}, {'everything' if asked else 'long records'}"
 
 
 @cache
@@ -78,9 +79,21 @@ def _numba() -> Any:
     return compiled
 
 
-def _compiled(is_long: bool) -> Any:
-    """The loops by Numba if this call is for them, else None."""
-    return _numba() if asked or (is_long and asked is None) else None
+def _run(is_long: bool, plain: Any, loop: str, *arguments: Any, **options: Any) -> Any:
+    """Run the loop by Numba if this call is for it, else that of the module `plain`."""
+    global asked
+    compiled = _numba() if asked or (is_long and asked is None) else None
+    if compiled is not None:
+        try:
+            return getattr(compiled, loop)(*arguments, **options)
+        except (OSError, EOFError, UnpicklingError) as error:  # of its cache: we read no files
+            warnings.warn(
+                f"Numba cannot keep or read what it has compiled ({error}), so NumPy computes from "
+                "now on. NUMBA_CACHE_DIR in the environment names another folder for it.",
+                stacklevel=4,
+            )
+            asked = False
+    return getattr(plain, loop)(*arguments, **options)
 
 
 def attitudes(
@@ -91,14 +104,14 @@ def attitudes(
 ) -> FloatArray:
     """As `driftlab.core.attitude.attitudes`."""
     rows = max(increments.size // 3, increments.shape[-2] * (first.size // 4))
-    by = _compiled(rows >= LONG_ATTITUDE) or attitude
-    return by.attitudes(algorithm, increments, past, first)
+    given = algorithm, increments, past, first
+    return _run(rows >= LONG_ATTITUDE, attitude, "attitudes", *given)
 
 
 def cumulative_product(quaternions: FloatArray) -> FloatArray:
     """As `driftlab.core.quaternion.cumulative_product`."""
-    by = _compiled(quaternions.size // 4 >= LONG_ATTITUDE) or quaternion
-    return by.cumulative_product(quaternions)
+    long = quaternions.size // 4 >= LONG_ATTITUDE
+    return _run(long, quaternion, "cumulative_product", quaternions)
 
 
 def navigate(
@@ -118,10 +131,10 @@ def navigate(
         *(each[..., 0].size for each in start[3:]),
         *(each[..., 0, 0].size for each in (angle, velocity)),
     )
-    by = _compiled(calls * runs * angle.shape[-2] >= LONG_NAVIGATION) or strapdown
-    return by.navigate(
-        start, angle, velocity, interval, algorithm, every=every, hold_altitude=hold_altitude
-    )
+    long = calls * runs * angle.shape[-2] >= LONG_NAVIGATION
+    given = start, angle, velocity, interval, algorithm
+    options = {"every": every, "hold_altitude": hold_altitude}
+    return _run(long, strapdown, "navigate", *given, **options)
 
 
 def covariances(
@@ -132,5 +145,5 @@ def covariances(
     spreads: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
     """As `driftlab.core.kalman.covariances`."""
-    by = _compiled(len(transitions) >= LONG_FILTER) or kalman
-    return by.covariances(covariance, transitions, noises, observation, spreads)
+    given = covariance, transitions, noises, observation, spreads
+    return _run(len(transitions) >= LONG_FILTER, kalman, "covariances", *given)

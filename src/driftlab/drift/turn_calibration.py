@@ -68,7 +68,7 @@ def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) 
 
     Examples
     --------
-    >>> error = from_rotation_vector(np.array([0.0, 0.0, 2 * np.pi * 0.001]))
+    >>> error = [0.0, 0.0, np.sin(0.001 * np.pi), np.cos(0.001 * np.pi)]
     >>> print(f"{turn_estimate(error, [0, 0, 1]):.6f}")
     0.001000
     """
