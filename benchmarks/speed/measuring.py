@@ -175,7 +175,7 @@ def in_c(run: Callable[[], Any], error: Callable[[Any], float] | None = None) ->
 
     def make() -> Contender:
         floor.library()
-        return Contender(IN_C, run, error)
+        return Contender(IN_C, run, error, why="Python's calls and checks take the rest.")
 
     return make
 
