@@ -71,9 +71,11 @@ def add_homes(app: Sphinx, doctree: nodes.document) -> None:
         if signature.get("module") and signature["ids"]:
             first, *rest = signature["fullname"].split(".")
             known = homes.get(f"{signature['module']}.{first}")
-            place = ".".join([known, *rest]) if known else ""
-            if place and place not in signature["ids"]:
-                signature["ids"].append(place)
+            places = [".".join([known, *rest])] if known else []
+            package = signature["module"].rpartition(".")[0]
+            if package != "driftlab":  # where one name of a module is, they look for all of them
+                places.append(f"{package}.{signature['fullname']}")
+            signature["ids"] += [place for place in places if place not in signature["ids"]]
 
 
 def drop_sourceless(app: Sphinx, env: BuildEnvironment) -> Iterable[str]:
