@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from copy import deepcopy
@@ -14,6 +15,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+from driftlab.checks import UnusualWarning
 
 from .exercise import Exercise, Objection, Said, rows
 from .reading import (
@@ -111,7 +114,9 @@ class Formula(Exercise):
             if kinds[i] == kinds[j]:
                 order = list(range(len(kinds)))
                 order[i], order[j] = j, i
-                with suppress(ValueError):  # a latitude, say, that is no length
+                # A latitude, say, that is no length; or a length that is much for a bias.
+                with suppress(ValueError), warnings.catch_warnings():
+                    warnings.simplefilter("ignore", UnusualWarning)
                     values = self._values(
                         lambda *place, order=order: self._key.right(*(place[k] for k in order))
                     )
