@@ -162,6 +162,7 @@ NO_QUATERNIONS = {
 }
 
 
+@pytest.mark.filterwarnings("ignore:error_quaternion:driftlab.checks.UnusualWarning")  # any
 @pytest.mark.parametrize(
     ("function", "name"),
     [(f, name) for f, cases in CASES.items() for name, case in cases.items() if case],
