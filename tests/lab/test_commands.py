@@ -101,7 +101,7 @@ def test_peers_are_fetched_within_the_pins_and_asked(
 ) -> None:
     assert checks.lab.main(["peers"]) == 0
     *fetched, asked = checks.ran
-    of_each = "python-ins", "distributed", "numba", "polars"
+    of_each = "python-ins", "distributed", "polars"
     for command, name in zip(fetched, of_each, strict=True):
         assert name in {word.split()[0] for word in command}
         assert any(word.startswith("numpy==") for word in command)  # the pins stay
