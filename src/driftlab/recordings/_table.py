@@ -13,7 +13,7 @@ from driftlab.checks import FloatArray, shown
 from ._text_form import names_like, without_mark
 from ._time_stamps import spacing_of_stamps
 from ._units import Unit, accelerometer_unit, gyro_unit, spelled, time_unit
-from .guards import _without_doubts
+from .guards import _without_problems
 from .layout import Layout
 from .recording import Recording
 
@@ -132,7 +132,7 @@ def record_of_table(table: TableColumns, layout: Layout, name: str) -> Recording
         licence=layout.licence,
         longest_gap=longest,
     )
-    return _without_doubts(recording, layout.allow)
+    return _without_problems(recording, layout.allow)
 
 
 def _scales(

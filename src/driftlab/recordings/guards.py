@@ -100,7 +100,7 @@ class DataProblem:
     rule : str
         One of `RULES`.
     sentence : str
-        What was found, and what it may mean. Also the doubt's own text.
+        What was found, and what it may mean. Also the text of the problem itself.
     size, threshold : float
         What was measured, and what the rule lets through.
     """
@@ -133,8 +133,8 @@ def data_problems(recording: Recording) -> tuple[DataProblem, ...]:
     A unit that lies still, whose specific force in g was taken for m/s^2:
 
     >>> still = Recording(np.zeros((200, 3)), np.tile([0.0, 0.0, 1.0], (200, 1)), 0.01, "rates")
-    >>> for doubt in data_problems(still):
-    ...     print(doubt.rule, "-", doubt)  # doctest: +NORMALIZE_WHITESPACE
+    >>> for problem in data_problems(still):
+    ...     print(problem.rule, "-", problem)  # doctest: +NORMALIZE_WHITESPACE
     force - accelerometer: expected a median size near gravity, 9.81 m/s^2, got 1,
     a factor of 0.102: g taken for m/s^2?
     """
@@ -144,7 +144,7 @@ def data_problems(recording: Recording) -> tuple[DataProblem, ...]:
     return tuple(sorted(found, key=lambda doubt: order.index(doubt.rule)))
 
 
-def _without_doubts(recording: Recording, allow: Sequence[str] = ()) -> Recording:
+def _without_problems(recording: Recording, allow: Sequence[str] = ()) -> Recording:
     """Return a recording if nothing speaks against it but the rules in `allow`; refuse others."""
     allow = some_of(allow, RULES, "allow")
     found = [doubt for doubt in data_problems(recording) if doubt.rule not in allow]

@@ -36,7 +36,7 @@ from ._text_form import (
     split_cells,
 )
 from ._time_stamps import seconds_since_first
-from .guards import _without_doubts
+from .guards import _without_problems
 from .layout import Layout, checked_layout
 from .recording import Recording
 
@@ -226,7 +226,7 @@ def read_psins(path: str | Path, *, allow: Sequence[str] = (), **known: Any) -> 
         gravity=float(earth.gravity(latitude, height)),
         name=table.path.stem,
     )
-    return _without_doubts(replace(recording, **known), allow)
+    return _without_problems(replace(recording, **known), allow)
 
 
 @dataclass(frozen=True, eq=False)
