@@ -102,9 +102,9 @@ For a class
 
   student   pack a copy for students, without solutions and teachers' pages
               a name for the zip file may follow
-  class     report what a class handed in: "class FOLDER", a folder or a zip
-              --roster FILE     all names of the class, from a CSV file
-              --output FOLDER   where to write; else next to what is read
+  class     report what a class got wrong: "class FOLDER", its notebooks
+              --chapters 03,04   exercises of these chapters only
+              --output FOLDER    where to write; else next to what is read
   site      build the book as a live web site and as a PDF, in _site
               --self-contained FOLDER   with Pyodide from this folder
   wheels    download all packages for use without a network: "wheels FOLDER"

@@ -53,18 +53,22 @@ def student(arguments: list[str]) -> int:
 
 
 def class_report(arguments: list[str]) -> int:
-    """Report what a class handed in."""
+    """Report what a class got wrong."""
     if not arguments:
         raise Trouble('Say what to read: "python3 lab.py class FOLDER".')
     set_up()
     # Paths are seen from where the caller is, and commands run in the project's folder.
-    paths = map(seen_from_here, arguments)
+    before = ["", *arguments]
+    paths = [
+        each if "--chapters" in (last, each.partition("=")[0]) else seen_from_here(each)
+        for last, each in zip(before, arguments, strict=False)
+    ]
     with running([str(PYTHON), "-m", "driftlab.book", "class", *paths]) as process:
         return abs(process.wait())
 
 
 def seen_from_here(argument: str) -> str:
-    """Return a path, or an option with its path as in "--roster=names.csv", as an absolute one."""
+    """Return a path, or an option with its path as in "--output=report", as an absolute one."""
     if argument.startswith("-o") and len(argument) > 2:
         return f"-o{Path(argument[2:]).absolute()}"
     if not argument.startswith("-"):

@@ -199,19 +199,18 @@ def write_errata(file: Path) -> None:
     print(f"Written: {file}")
 
 
-def write_class_report(folder: Path, roster: Path | None, output: Path | None) -> None:
-    """Print what the notebooks say that a class handed in, and write it as CSV and HTML."""
+def write_class_report(folder: Path, chapters: str | None, output: Path | None) -> None:
+    """Print what a class got wrong in its notebooks, and write it as a page and as CSV."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # a terminal may lack letters of a name
             stream.reconfigure(errors="backslashreplace")
     try:
         from driftlab.book import class_report
 
-        report = class_report(folder, roster)
+        report = class_report(folder, chapters.split(",") if chapters else None)
         place = folder.resolve()
-        name = place.stem if place.is_file() else place.name
-        written = report.write(output or place.with_name(f"{name}-report"))
-    except (ValueError, OSError, RuntimeError, ModuleNotFoundError) as error:
+        written = report.write(output or place.with_name(f"{place.name}-report"))
+    except (ValueError, OSError, ModuleNotFoundError) as error:
         sys.exit(str(error))
     print(f"{report}\n\nWritten: {written}")
 
@@ -230,9 +229,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m driftlab.book", description=__doc__)
     commands = parser.add_subparsers(required=True)
     a_class = commands.add_parser("class", help=write_class_report.__doc__)
-    a_class.add_argument("folder", type=Path, help="what students handed in: a folder, or a zip")
-    a_class.add_argument("--roster", type=Path, help="a CSV file with the names of the class")
-    a_class.add_argument("--output", "-o", type=Path, help="else FOLDER-report, beside it")
+    a_class.add_argument("folder", type=Path, help="the notebooks, in folders of any kind")
+    a_class.add_argument("--chapters", metavar="03,04", help="exercises of these chapters only")
+    a_class.add_argument("--output", "-o", type=Path, help="else FOLDER-report, next to it")
     a_class.set_defaults(write=write_class_report)
     bank = commands.add_parser("questions", help=write_questions.__doc__)
     bank.add_argument("folder", type=Path, help="where to write it")

@@ -1,164 +1,187 @@
-"""Who handed in a file: read from its name and its folders, as learning platforms give them.
+"""The notebooks in a folder, and the values that `check` recorded in them.
 
-- Moodle: ``[group-]Full Name_1234567_assignsubmission_file[_]/name``, a folder a student, or the
-  same in front of the name. A name keeps its blanks and has no underscore.
-- Canvas: ``lovelaceada[_LATE]_12345_67890_name``: family name first, without blanks, the numbers
-  of the student and of the file. What is handed in again has ``-1`` and so on behind its name.
-- nbgrader: ``submitted/student/assignment/name``, with ``timestamp.txt`` beside it.
-- The book's web pages: ``drift-lab-answers-ada-lovelace.ipynb``, with the name as it is written in
-  the title inside.
-- Else the first folder is the student's, or the archive, or the file is; two of them are one
-  student's only if they are called the same, to the letter.
+Only values are taken from what a notebook shows: who hands it in can write anything into it.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Sequence
-from datetime import datetime
-from typing import NamedTuple
+import json
+import os
+import stat
+import unicodedata
+from collections.abc import Iterator
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, NamedTuple
 
-from driftlab.book.chapters import CHAPTERS
+from driftlab.book.machinery.exercise.records import MIME
 
-from .downloads import at_the_top, without_report
-from .found_files import Found, is_archive
-from .plain_text import clean, is_no_name, squeezed
-from .roster import Listed
-from .wrapping import CANVAS, MOODLE, stem_of, without_wrapping
+from .typed_answers import UNREAD, Reader, within_bounds
 
-CANVAS_AGAIN = re.compile(r"-([0-9]{1,2})(?=\.|$)")
-COPY = re.compile(r" ?\(([0-9]{1,2})\)(?=\.|$)")
-"""What browsers put behind the name of a second download."""
-EXPORT = re.compile(r"drift-lab-answers(?:-(?P<name>.+))?", re.S)
-ANONYMOUS = (*(name[2:] for name in CHAPTERS.values()), "drift-lab-answers", "answers")
-"""Names of files that are nobody's."""
-
-
-class Person(NamedTuple):
-    """A student as a platform, a folder or a file names one."""
-
-    name: str  # as it shows
-    id: str = ""  # the platform's number, if it gives one
-    key: str = ""  # the same for the same student, as far as the names of folders and files say it
-
-
-class HandedIn(NamedTuple):
-    """A file with its student."""
-
-    person: Person
-    file: str  # its name, without what the platform has put in front
-    # of two files with the same exercises the one with the larger counts
-    newness: tuple[float, float]
-    found: Found
-    # whether only a name in the file, or in its own, says whose it is: anybody can write it
-    is_claimed: bool = False
-    trouble: str = ""  # what is odd about the name, in one sentence
+LARGEST = 16 * 2**20
+"""Bytes of a notebook; the book's have less than one million, with all figures."""
+MOST_BRACKETS = 500_000
+"""Of a notebook; each can become an object that takes a hundred bytes and more."""
+MOST_BYTES = 4 * 2**30
+MOST_FILES = 50_000
+"""Of a class, with all that is no notebook."""
+DEEPEST = 40
+MOST_ANSWERS = 1000
+"""Of a notebook; the book has fewer than a hundred exercises."""
+MOST_NAMES = 5
+NOISE = {
+    "__MACOSX", "__pycache__", "Thumbs.db", "desktop.ini", "node_modules", "venv",
+}  # fmt: skip
+"""What systems and programs leave behind, besides what begins with a full stop."""
 
 
-def handed_in(
-    found: Iterable[Found], listed: Sequence[Listed] = ()
-) -> tuple[list[HandedIn], list[str]]:
-    """Return the files with their students, and sentences on what was left out or is unclear."""
-    inside, reports = without_report(list(found))
-    inside, unclear = without_wrapping(inside, listed)
-    everything, downloads, notes = at_the_top(inside)
-    times = {
-        one.parts[:-1]: moment
-        for one in everything
-        if one.parts[-1] == "timestamp.txt" and (moment := _timestamp(one.moment)) is not None
-    }
-    # Whose folder holds nothing but the moment has handed in nothing, and has a row all the same.
-    filled = {one.parts[:-1] for one in everything if one.parts[-1] != "timestamp.txt"}
-    files = []
-    for one in everything:
-        is_moment = one.parts[-1] == "timestamp.txt" and not one.trouble
-        if is_moment and one.parts[:-1] in filled:
+class Answer(NamedTuple):
+    """An answer in a notebook, to be judged."""
+
+    number: str  # of the exercise
+    value: Any  # `UNREAD` if it is neither typed as a literal nor recorded as a value
+    student: Any  # the name that numbers were asked with
+    recorded: bool = False
+
+
+def notebooks_in(folder: Path) -> tuple[list[tuple[str, list[Answer]]], list[str]]:
+    """Return the notebooks of a folder by their paths, and a sentence on each file left out."""
+    found: list[tuple[str, list[Answer]]] = []
+    notes: list[str] = []
+    others: list[str] = []
+    left = MOST_BYTES
+    for path, trouble in _files(folder):
+        name = clean(path.relative_to(folder).as_posix(), 300)
+        if not trouble and path.suffix.casefold() != ".ipynb":
+            others.append(name)
             continue
-        if is_moment and len(one.parts) > 1:
-            one = Found((*one.parts[:-1], ""), one.time)
-        files.append(_whose(one, times.get(one.parts[:-1], one.time), downloads))
-    return _without_groups(files), reports + notes + unclear
+        try:
+            if trouble:
+                raise ValueError(trouble)
+            content = _content(path)
+            left -= len(content)
+            if left < 0:
+                raise ValueError(f"It was not read: the class has more than {MOST_BYTES:,} bytes.")
+            found.append((name, answers_in(content)))
+        except (ValueError, OSError) as error:
+            notes.append(f"{name}: {getattr(error, 'strerror', None) or error}")
+    if others:
+        shown = ", ".join(others[:MOST_NAMES]) + (", ..." if len(others) > MOST_NAMES else "")
+        notes.append(f"No notebooks, and not read (unpack archives first): {shown}.")
+    return sorted(found, key=lambda each: each[0]), notes
 
 
-def _whose(found: Found, moment: float, downloads: set[str]) -> HandedIn:
-    parts = found.parts
-    file = clean(parts[-1] or parts[-2], 200) or "?"
-    copies = COPY.search(file)
-    newness = (moment, float(copies[1]) if copies else 0.0)
-    part = parts[1] if parts[0] in downloads else parts[0]
-    if said := MOODLE.fullmatch(part):
-        person = Person(
-            clean(said["name"], 100) or "?", clean(said["id"], 40), f"Moodle {said['id']}"
-        )
-        shown = clean(said["file"], 200) if part == parts[-1] and said["file"] else file
-        return HandedIn(person, shown, newness, found)
-    if said := CANVAS.fullmatch(part):
-        again = CANVAS_AGAIN.search(said["file"])
-        newness = (float(again[1]) if again else newness[1], float(said["upload"]))
-        shown = clean(said["file"], 200) if part == parts[-1] else file
-        id_ = said["id"] or said["anon"]
-        person = Person(clean(said["name"] or "Anonymous", 100) or "?", id_, f"Canvas {id_}")
-        return HandedIn(person, shown, newness, found)
-    first = parts[0]
-    if len(parts) > 1:
-        name = stem_of(first) if is_archive(first) else first
-        return HandedIn(Person(clean(name, 100) or "?", key=f"folder {name}"), file, newness, found)
-    return _of_a_file(stem_of(first), file, newness, found)
+def _files(folder: Path) -> Iterator[tuple[Path, str]]:
+    """All files in a folder, and what is wrong with one before it is opened."""
+    waiting, count = [(folder, 0)], 0
+    while waiting:
+        place, depth = waiting.pop()
+        try:
+            inside = sorted(os.scandir(place), key=lambda entry: entry.name)
+        except OSError as error:
+            yield place, f"The folder cannot be read ({error.strerror})."
+            continue
+        for entry in inside:
+            path = Path(entry.path)
+            if entry.name.startswith(".") or entry.name in NOISE:
+                continue
+            count += 1
+            if count > MOST_FILES:
+                yield path, f"Here reading stopped: there are more than {MOST_FILES:,} files."
+                return
+            if entry.is_symlink():
+                yield path, "It is a link, and links are not followed."
+            elif entry.is_dir(follow_symlinks=False):
+                if depth < DEEPEST:
+                    waiting.append((path, depth + 1))
+                else:
+                    yield path, f"It is nested in more than {DEEPEST} folders."
+            else:
+                yield path, ""
 
 
-def _of_a_file(full: str, file: str, newness: tuple[float, float], found: Found) -> HandedIn:
-    """Whose a file is that lies in no folder; students choose its name."""
-    stem = COPY.sub("", full)
-    title = found.saved.whose if found.saved and not is_no_name(found.saved.whose) else ""
-    # Two files of the book's own name are two students', not two downloads of one.
-    name, key, trouble, is_claimed = file, f"file {full}", "", False
-    if said := EXPORT.fullmatch(stem):
-        in_file = clean((said["name"] or "").replace("-", " "), 100)
-        is_claimed = True
-        if title and (is_no_name(in_file) or _is_same(in_file, title)):
-            name = title
-        elif not is_no_name(in_file):
-            name = in_file
-            trouble = f"The title inside says {title}." if title else ""
-    elif stem in ANONYMOUS or stem.isdigit():
-        name, is_claimed = title or file, bool(title)
-    else:
-        name, key = clean(stem, 100) or file, f"folder {stem}"
-    key = f"claim {name.casefold()}" if is_claimed and name != file else key
-    return HandedIn(Person(name, key=key), file, newness, found, is_claimed, trouble)
+def _content(path: Path) -> bytes:
+    about = path.lstat()
+    if not stat.S_ISREG(about.st_mode):
+        raise ValueError("It is no file.")
+    if about.st_size > LARGEST:
+        raise ValueError(f"It is larger than {LARGEST // 2**20} MB.")
+    with path.open("rb") as file:
+        return file.read(LARGEST)
 
 
-def _is_same(in_file: str, title: str) -> bool:
-    """Whether a file is called as the web pages call that of a name; they cut it short."""
-    one, other = squeezed(re.sub(r"(?<=\D) [0-9]{1,2}$", "", in_file)), squeezed(title)
-    return squeezed(in_file) == other or one == other or (len(one) > 25 and other.startswith(one))
+def answers_in(content: bytes) -> list[Answer]:
+    """Return the answers in a saved notebook; a ValueError says why it cannot be read."""
+    reader = Reader()
+    answers: list[Answer] = []
+    for cell in _cells(content):
+        if cell.get("cell_type") != "code":
+            continue
+        typed = reader.calls(_text(cell.get("source", cell.get("input"))))
+        records = {each.number: each for each in _recorded(cell)}  # the last one of an exercise
+        for number, value, student in typed:
+            record = records.get(number)
+            if value is UNREAD and record:
+                continue
+            if student is UNREAD and record:
+                student = record.student
+            answers.append(Answer(number, value, student))
+        read = {each.number for each in typed if each.answer is not UNREAD}
+        answers += [each for number, each in records.items() if number not in read]
+    return answers[:MOST_ANSWERS]
 
 
-def _without_groups(files: list[HandedIn]) -> list[HandedIn]:
-    """Without the group that Moodle puts in front of a name: "Group A-Ada Lovelace".
-
-    Names have hyphens too, so a group is what stands before several names, and has a digit, or a
-    blank before a name that has one as well.
-    """
-    members: dict[str, set[str]] = {}
-    for file in files:
-        group, hyphen, name = file.person.name.partition("-")
-        has_digit = any(map(str.isdigit, group))
-        if hyphen and file.person.id and name and (has_digit or (" " in group and " " in name)):
-            members.setdefault(group, set()).add(file.person.id)
-    groups = {group for group, several in members.items() if len(several) > 1}
-
-    def without(person: Person) -> Person:
-        group, _, name = person.name.partition("-")
-        return person._replace(name=name) if group in groups and person.id else person
-
-    return [file._replace(person=without(file.person)) for file in files]
+def _recorded(cell: dict[str, Any]) -> Iterator[Answer]:
+    """The answers that `check` recorded when the cell was run; its verdicts are passed over."""
+    for output in _dicts(cell.get("outputs")):
+        data = output.get("data")
+        record = data.get(MIME) if isinstance(data, dict) else None
+        if isinstance(record, dict) and isinstance(number := record.get("exercise"), str):
+            student = record.get("student", "")
+            try:
+                value = record.get("answer")
+                if isinstance(value, dict):  # the sliders of a panel
+                    within_bounds([*value.values()])
+                    value = SimpleNamespace(values=value)
+                else:
+                    within_bounds(value)
+            except (ValueError, ArithmeticError, RecursionError):
+                value = UNREAD
+            yield Answer(number, value, student if isinstance(student, str) else "", True)
 
 
-def _timestamp(content: bytes) -> float | None:
-    """The moment in a file of nbgrader: "2026-01-30 15:30:10.123456 UTC"."""
-    said = re.match(rb"\s*(\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(?:\.\d{1,6})?)", content)
+def _cells(content: bytes) -> list[dict[str, Any]]:
+    if not content.strip(b"\0 \t\r\n"):
+        raise ValueError("It is empty.")
+    if content.count(b"{") + content.count(b"[") > MOST_BRACKETS:
+        raise ValueError("It holds more than a notebook does.")
     try:
-        return datetime.fromisoformat(said[1].decode()).timestamp() if said else None
-    except (ValueError, OverflowError, OSError):
-        return None
+        # An editor may have saved it with a mark in front, or in two bytes a character.
+        book = json.loads(content.decode(json.detect_encoding(content), errors="replace"))
+    except RecursionError:
+        raise ValueError("It is nested too deeply for a notebook.") from None
+    except (ValueError, MemoryError):
+        raise ValueError("It is damaged, or no notebook.") from None
+    sheets = _dicts(book.get("worksheets")) if isinstance(book, dict) else []  # format 3
+    if not isinstance(book, dict) or not (isinstance(book.get("cells"), list) or sheets):
+        raise ValueError("It is damaged, or no notebook.")
+    return [cell for holder in (book, *sheets) for cell in _dicts(holder.get("cells"))]
+
+
+def _text(value: object) -> str:
+    """Text of a notebook, which may be kept as a list of lines."""
+    if isinstance(value, list):
+        return "".join(line for line in value if isinstance(line, str))
+    return value if isinstance(value, str) else ""
+
+
+def _dicts(value: object) -> list[dict[str, Any]]:
+    return [one for one in value if isinstance(one, dict)] if isinstance(value, list) else []
+
+
+def clean(text: str, longest: int) -> str:
+    """Return text in one line, without characters that a terminal or a page would obey."""
+    line = " ".join(text[: 4 * longest].split())
+    kept = "".join(sign for sign in line if unicodedata.category(sign)[0] != "C")
+    kept = unicodedata.normalize("NFC", kept)
+    return kept if len(kept) <= longest else f"{kept[: longest - 1]}…"
