@@ -6,6 +6,7 @@ import base64
 import csv
 import hashlib
 import io
+import re
 import warnings
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -33,8 +34,8 @@ LONGEST = 60
 LONGEST_SLIP = 400
 HEADER = ("exercise", "what the answers show", "notebooks", "recorded", "examples")
 FILES = ("class.html", "class.csv")
-FORMULA = ("=", "+", "-", "@", "\t", "\r", "＝", "＋", "－", "＠")
-"""A cell that begins so a spreadsheet would compute."""
+FORMULA = re.compile(r"(^\s*|[;\t]\s*\"*)(?=[=+\-@＝＋－＠])")
+"""Where a spreadsheet would compute: many countries' begin a cell behind a semicolon."""
 REASONED = Said(because="for the class report")
 """With words the reply goes into what was chosen."""
 STYLE = """
@@ -94,6 +95,7 @@ class ClassReport:
         place.mkdir(parents=True, exist_ok=True)
         for name, content in zip(FILES, (_page(self), _table(self)), strict=True):
             new = place / f".{name}.new"
+            new.unlink(missing_ok=True)  # a link that somebody left there
             new.write_bytes(content)
             new.replace(place / name)
         return place
@@ -125,6 +127,8 @@ def class_report(folder: str | Path, chapters: Iterable[str] | None = None) -> C
     found, notes = notebooks_in(where)
     rows: dict[tuple[str, str], Row] = {}
     for path, answers in found:
+        if not any(each.number in exercises for each in answers):
+            notes.append(f"{path}: It has none of these exercises.")
         for number in dict.fromkeys(each.number for each in answers if each.number in exercises):
             for shows, answer in _shown(
                 exercises[number], [each for each in answers if each.number == number]
@@ -215,7 +219,7 @@ def _in_words(value: object) -> str:
 
 
 def _cells(row: Row) -> tuple[str, ...]:
-    return row.exercise, row.shows, str(row.notebooks), str(row.recorded), "; ".join(row.examples)
+    return row.exercise, row.shows, str(row.notebooks), str(row.recorded), " | ".join(row.examples)
 
 
 def _table(report: ClassReport) -> bytes:
@@ -224,9 +228,7 @@ def _table(report: ClassReport) -> bytes:
     writer = csv.writer(text)
     writer.writerow(HEADER)
     for row in report.rows:
-        writer.writerow(
-            f"'{cell}" if cell.lstrip().startswith(FORMULA) else cell for cell in _cells(row)
-        )
+        writer.writerow(FORMULA.sub(r"\1'", cell) for cell in _cells(row))
     return text.getvalue().encode("utf-8-sig")
 
 

@@ -28,11 +28,12 @@ MOST_FILES = 50_000
 DEEPEST = 40
 MOST_ANSWERS = 1000
 """Of a notebook; the book has fewer than a hundred exercises."""
-MOST_NAMES = 5
+MOST_NAMES = 20
 NOISE = {
-    "__MACOSX", "__pycache__", "Thumbs.db", "desktop.ini", "node_modules", "venv",
+    "__MACOSX", "__pycache__", "Thumbs.db", "desktop.ini", ".DS_Store", ".ipynb_checkpoints",
+    ".git", ".venv", ".vscode", ".idea", ".cache", ".Trash",
 }  # fmt: skip
-"""What systems and programs leave behind, besides what begins with a full stop."""
+"""What systems and programs leave behind, besides a Mac's shadows of files, ``._03.ipynb``."""
 
 
 class Answer(NamedTuple):
@@ -66,8 +67,9 @@ def notebooks_in(folder: Path) -> tuple[list[tuple[str, list[Answer]]], list[str
         except (ValueError, OSError) as error:
             notes.append(f"{name}: {getattr(error, 'strerror', None) or error}")
     if others:
-        shown = ", ".join(others[:MOST_NAMES]) + (", ..." if len(others) > MOST_NAMES else "")
-        notes.append(f"No notebooks, and not read (unpack archives first): {shown}.")
+        more = f" and {len(others) - MOST_NAMES} more" if len(others) > MOST_NAMES else ""
+        names = ", ".join(others[:MOST_NAMES]) + more
+        notes.append(f"Other files, not read (unpack archives first): {names}.")
     return sorted(found, key=lambda each: each[0]), notes
 
 
@@ -83,7 +85,7 @@ def _files(folder: Path) -> Iterator[tuple[Path, str]]:
             continue
         for entry in inside:
             path = Path(entry.path)
-            if entry.name.startswith(".") or entry.name in NOISE:
+            if entry.name.startswith("._") or entry.name in NOISE:
                 continue
             count += 1
             if count > MOST_FILES:

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 LONGEST_CELL = 50_000
 """Characters; the cells of the book have a twentieth of it."""
-MOST_STEPS = 200_000
-"""What reading one notebook may take, in nodes of the syntax tree and entries of lists."""
+MOST_STEPS = 500_000
+"""What reading one notebook may take: characters, nodes of syntax trees, entries of lists."""
 MOST_ENTRIES = 500
 """Of an answer, or characters of one; `check` records no more either."""
 DEEPEST = 8
@@ -63,6 +63,7 @@ class Reader:
     def calls(self, source: str) -> list[Typed]:
         """Return the calls of `check` in a cell, in their order."""
         self._names = {}
+        self._left -= len(source)
         try:
             if self._left < 0:
                 raise UnreadError
@@ -133,7 +134,7 @@ class Reader:
                 return [within_bounds(self._value(part)) for part in parts]
             case ast.Name(id=name) if self._names.get(name, UNREAD) is not UNREAD:
                 value = self._names[name]
-                self._left -= _size(value)
+                self._left -= 5 * _size(value)
                 return value
             case ast.Attribute(value=ast.Name(id=module), attr="pi") if module in MODULES:
                 return math.pi
