@@ -20,9 +20,15 @@ def question(edition, chapter):
     return found
 
 
-def values(found):
-    """The numbers that are right, part by part."""
-    return [[answer.value for answer in part.answers] for part in found.parts]
+def asked(found, name):
+    """The numbers that are right in the part whose first answer has this name, and its text.
+
+    None if this edition asks something else.
+    """
+    for part in found.parts:
+        if part.answers and part.answers[0].name == name:
+            return [answer.value for answer in part.answers], part.asks
+    return None
 
 
 def numbers(text):

@@ -47,6 +47,21 @@ def test_each_edition_has_numbers_of_its_own_in_every_question():
     assert exam_paper("a ").scheme() == exam_paper("a").scheme()
 
 
+def test_each_question_has_three_wordings_or_more():
+    for same in zip(*map(questions, EDITIONS), strict=True):
+        tasks = {re.sub(r"\d", "", str([a.name for a in each.parts[1].answers])) for each in same}
+        assert len(tasks) >= 3, same[0].title
+        assert len({tuple(part.marks for part in each.parts) for each in same}) == 1
+
+
+def test_the_deepest_idea_earns_more_than_a_convention():
+    by_chapter = {each.chapter: each for each in questions("a")}
+    idea, convention = by_chapter["07"].parts[0], by_chapter["05"].parts[0]
+    assert "21 of" in idea.asks
+    assert "Cayley vector" in convention.asks
+    assert idea.marks > convention.marks
+
+
 def test_the_edition_is_not_on_the_sheet_nor_an_answer():
     paper = exam_paper("autumn, rowan")
     sheet = paper.sheet().text
@@ -80,7 +95,7 @@ def test_the_scheme_has_each_mark_and_number(edition):
     lines = re.findall(r"^- (\d): ", paper.scheme().text, re.MULTILINE)
     assert sum(map(int, lines)) == sum(each.marks for each in questions(edition))
     for each in questions(edition):
-        assert len(each.parts) == 3
+        assert len(each.parts) == 2
         for part in each.parts:
             assert all(str(answer) in paper.scheme().text for answer in part.answers)
 

@@ -1,7 +1,7 @@
 """An examination of 90 minutes and 60 marks: the sheet for the class, the scheme for who marks it.
 
-All numbers are drawn from the name of the edition, a text that the lecturer chooses and keeps. The
-questions are the same each term and their numbers are not; who does not know the name cannot
+All numbers are drawn from the name of the edition, a text that the lecturer chooses and keeps, and
+so is the second part of each question, of three or more. Whoever does not know the name cannot
 compute the sheet before it lies on the table.
 """
 
@@ -130,4 +130,4 @@ def _title(number: int, question: Question) -> str:
 
 
 def _lettered(question: Question) -> Iterable[tuple[str, Part]]:
-    return zip("abc", question.parts, strict=True)
+    return zip("ab", question.parts, strict=True)

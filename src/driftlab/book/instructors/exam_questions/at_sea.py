@@ -11,7 +11,7 @@ from driftlab.gyrocompass.alignment import align, alignment_errors
 from driftlab.gyrocompass.heading_error import speed_error
 from driftlab.gyrocompass.levelling_loop import schuler_gains
 
-from .question import Answer, Part, Question, plain, shown
+from .question import Answer, Part, Question, plain, shown, two_of
 
 PER_HOUR = float(np.radians(1) / hour)
 COURSES = {"North-East": 45, "North-West": 315, "South-East": 135, "South-West": 225}
@@ -25,6 +25,7 @@ def at_rest(draw: Generator) -> Question:
     drift = float(draw.choice([0.01, 0.02, 0.03, 0.04]) * draw.choice([-1, 1]))
     walk = float(draw.choice([0.003, 0.004, 0.005, 0.006]))
     wanted = float(draw.choice([0.08, 0.1, 0.12]))
+    allowed = float(draw.choice([0.1, 0.15, 0.2, 0.25]))
     level = EARTH_RATE * np.cos(latitude)
     rates = np.array(
         [level * np.cos(heading), EARTH_RATE * np.sin(latitude), level * np.sin(heading)]
@@ -37,6 +38,7 @@ def at_rest(draw: Generator) -> Question:
     level_found = float(np.hypot(readings[0], readings[2]))
     time = (walk / level_found / np.radians(wanted)) ** 2 * 60  # minutes
     say = ", ".join(plain(x) for x in readings)
+    largest = level_found * np.radians(allowed) / abs(np.cos(found.heading))
     by_sine = np.degrees(drift * np.cos(heading) / readings[1])
     return Question(
         "A compass at rest",
@@ -44,9 +46,10 @@ def at_rest(draw: Generator) -> Question:
         "compute heading, pitch, roll and latitude from six sensor readings",
         8,
         "A level box rests somewhere north of the equator. Its gyros forward, up, right read "
-        f"{say} degrees an hour in the mean. Headings count about Up, from North to West, as in "
-        "the chapter.",
-        (
+        f"{say} degrees an hour in the mean. The heading is the angle about Up from North "
+        "to the forward axis: 90° is West, −90° is East.",
+        two_of(
+            draw,
             Part(
                 "Find the heading and the latitude, in degrees.",
                 r"$\tan\Psi = \omega_{right}/\omega_{forward}$, with the quadrant from both "
@@ -55,7 +58,7 @@ def at_rest(draw: Generator) -> Question:
                     Answer("the heading", float(np.degrees(found.heading)), "degrees"),
                     Answer("the latitude", float(np.degrees(found.latitude)), "degrees"),
                 ),
-                ((1, "the heading, but for its quadrant"), (1, "its quadrant"), (1, "latitude")),
+                ((1, "the heading, but for its quadrant"), (1, "its quadrant"), (2, "latitude")),
                 ("The heading counted to the East, and said so: nothing off.",),
             ),
             Part(
@@ -63,8 +66,8 @@ def at_rest(draw: Generator) -> Question:
                 "computed minus true, does that make in the heading, in degrees?",
                 r"Only its part about East counts: $\Delta\Psi = d\cos\Psi/(U\cos\varphi)$.",
                 (Answer("the error of the heading", float(np.degrees(error)), "degrees"),),
-                ((1, r"the part about East, by $\cos\Psi$"), (1, r"over $U\cos\varphi$, sign")),
-                (f"Sine of the latitude for cosine ({shown(by_sine)}): 1.",),
+                ((1, r"the part about East, by $\cos\Psi$"), (2, r"over $U\cos\varphi$, sign")),
+                (f"Sine of the latitude for cosine ({shown(by_sine)}): 2.",),
             ),
             Part(
                 f"The angle random walk of the gyros is {walk} degrees per root hour. How many "
@@ -72,8 +75,17 @@ def at_rest(draw: Generator) -> Question:
                 f"is {wanted}°?",
                 r"$T = (N/(U\cos\varphi\,\sigma))^2$ with $\sigma$ in radians.",
                 (Answer("the time", float(time), "minutes"),),
-                ((1, "the number"),),
-                (r"$\sigma$ left in degrees: 0. The drift above added to it: 1; it stays.",),
+                ((2, r"$N$ over the root of the time, over $U\cos\varphi$"), (1, "the number")),
+                (r"$\sigma$ left in degrees: 2. A mean over independent minutes, say so: 3.",),
+            ),
+            Part(
+                f"A drift of the right gyro may make a heading error of {allowed}° at most. Which "
+                "drift is allowed, in degrees an hour, by its size?",
+                r"Its part about East, $d\cos\Psi$, over $U\cos\varphi$ is the error, in "
+                "radians.",
+                (Answer("the allowed drift", float(largest), "°/h"),),
+                ((1, r"$U\cos\varphi$ times the error"), (1, r"over $\cos\Psi$"), (1, "number")),
+                ("The error left in degrees: 2.",),
             ),
         ),
     )
@@ -93,6 +105,7 @@ def under_way(draw: Generator) -> Question:
     simple = abs(velocity[0]) / (EARTH_RADIUS * EARTH_RATE * np.cos(latitude))
     side = "West" if velocity[0] > 0 else "East"
     wrong_log = abs(float(speed_error(latitude, (1 + percent / 100) * velocity))) - error
+    due_north = abs(float(speed_error(latitude, np.array([knots * knot, 0.0]))))
     schuler = float(np.sqrt(gravity(latitude) * schuler_gains().integral))
     swing = tilt * schuler / (EARTH_RATE * np.cos(latitude))
     northward = shown(abs(velocity[0]))
@@ -104,7 +117,8 @@ def under_way(draw: Generator) -> Question:
         f"A ship at {degrees}° North makes {knots} knots (1 knot is {knot:.4f} m/s) to the "
         f"{course}. The Earth has the radius 6371 km and turns by 15.04° an hour; "
         f"$g = {shown(float(gravity(latitude)))}$ m/s².",
-        (
+        two_of(
+            draw,
             Part(
                 "Where does the compass find its North, without a correction: how many degrees "
                 "from true North, and on which side?",
@@ -115,12 +129,12 @@ def under_way(draw: Generator) -> Question:
                 (Answer("the size of the speed error", np.degrees(error), "degrees"),),
                 (
                     (1, "only the part of the velocity along the meridian turns North away"),
-                    (1, r"$v_N/(R\,U\cos\varphi)$; leaving out $v_E$ there costs nothing"),
+                    (2, r"$v_N/(R\,U\cos\varphi)$; leaving out $v_E$ there costs nothing"),
                     (1, f"the number, or {shown(np.degrees(simple))} without $v_E$, and the side"),
                 ),
                 (
                     f"The whole speed in place of its part ({shown(np.degrees(error) * 2**0.5)}, "
-                    "about): 2.",
+                    "about): 3.",
                 ),
             ),
             Part(
@@ -130,6 +144,7 @@ def under_way(draw: Generator) -> Question:
                 "is counted in the level rate.",
                 (Answer("the error that is left", 60 * np.degrees(wrong_log), "arc minutes"),),
                 (
+                    (2, "what is taken off is wrong by the same per cent"),
                     (
                         1,
                         "the number, or the error times the per cent "
@@ -149,11 +164,20 @@ def under_way(draw: Generator) -> Question:
                     Answer("the period", 2 * np.pi / schuler / minute, "minutes"),
                     Answer("the largest error of the heading", swing, "arc minutes"),
                 ),
-                ((1, "the period"), (1, "the rate of the swing over the level rate")),
+                ((1, "the period"), (2, "the rate of the swing over the level rate")),
                 (
                     f"The tilt itself, or times the tangent of the latitude "
-                    f"({shown(tilt * np.tan(latitude))}), as the heading error: 0 for this mark.",
+                    f"({shown(tilt * np.tan(latitude))}), as the heading error: 0 for the second.",
                 ),
+            ),
+            Part(
+                "The ship turns due North and keeps its speed. How large is the error then, in "
+                "degrees, and which part of the velocity counted above and is gone now?",
+                r"All of the speed is along the meridian: $v/(R\,U\cos\varphi)$. There is no "
+                r"part to East or West that would change $U\cos\varphi$.",
+                (Answer("the error due North", float(np.degrees(due_north)), "degrees"),),
+                ((1, "all of the speed counts"), (1, "the number"), (1, r"$v_E$")),
+                ("The error above kept, for the speed is the same: 0.",),
             ),
         ),
     )

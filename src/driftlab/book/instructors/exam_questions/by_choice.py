@@ -12,13 +12,14 @@ from driftlab.attitude.integration import step_rotation_vectors
 from driftlab.calibration.kalman import correct, predict
 from driftlab.quaternion import from_rotation_vector
 
-from .question import Answer, Part, Question, plain, shown
+from .question import Answer, Part, Question, plain, shown, two_of
 
 
 def cayley_vectors(draw: Generator) -> Question:
     """Chapter 05: two vectors of one rotation, the shadow, and where they become infinite."""
     angle = int(draw.choice([100, 110, 130, 140, 160, 200, 220, 230, 250, 260]))
     rate = int(draw.choice([8, 12, 16, 24, 30]))
+    length = float(draw.choice([0.3, 0.4, 0.5, 0.6, 0.7]))
     pair = draw.permutation(3)[:2]
     signs = draw.choice([-1, 1], 2)
     axis = np.zeros(3)
@@ -27,24 +28,28 @@ def cayley_vectors(draw: Generator) -> Question:
     three, four = (cayley_vector(quaternion, dimension) for dimension in (3, 4))
     first = pair[0]
     other = shadow(four)
+    back = -4 * float(np.degrees(np.arctan(length)))
     return Question(
         "A rotation without a sine",
         "05",
         "turn a rotation into a Cayley vector of dimension 3 or 4",
         12,
-        f"A body is turned by {angle}° about the axis $({', '.join(f'{x:g}' for x in axis)})$.",
-        (
+        f"A body is turned by {angle}° about the axis $e = ({', '.join(f'{x:g}' for x in axis)})$. "
+        r"Cayley vectors are $-\tan(\varphi/2)\,e$ in dimension 3 and $-\tan(\varphi/4)\,e$ in "
+        "dimension 4.",
+        two_of(
+            draw,
             Part(
                 f"Give the component {first + 1} of its Cayley vector of dimension 3, and that of "
-                "dimension 4, with their signs.",
+                "dimension 4.",
                 rf"$-\tan(\varphi/2)\,e$ and $-\tan(\varphi/4)\,e$; $e_{first + 1} = "
                 rf"{axis[first]:g}$.",
                 (
                     Answer("that of dimension 3", float(three[first])),
                     Answer("that of dimension 4", float(four[first])),
                 ),
-                ((1, "half and quarter angle"), (1, "tangent times axis"), (1, "both signs")),
-                ("The two dimensions exchanged: 2.", "Without the minus: 2."),
+                ((1, "dimension 3"), (1, "dimension 4")),
+                ("The two dimensions exchanged: 1.", "Without the minus: 1."),
             ),
             Part(
                 f"Give component {first + 1} of the shadow of the vector of dimension 4. Of which "
@@ -57,7 +62,7 @@ def cayley_vectors(draw: Generator) -> Question:
                     Answer("the component of the shadow", float(other[first])),
                     Answer("its angle", float(angle - 360), "degrees"),
                 ),
-                ((1, "the shadow"), (1, "its angle"), (1, "at length one, half a turn")),
+                ((1, "the shadow"), (1, "its angle"), (2, "at length one, half a turn")),
                 (
                     "The shadow without its minus: 0 for the first mark, the others stand.",
                     f"The angle given as {360 - angle}° without a sign: nothing off, if the axis "
@@ -72,8 +77,16 @@ def cayley_vectors(draw: Generator) -> Question:
                     Answer("dimension 3", 180 / rate, "s"),
                     Answer("dimension 4", 360 / rate, "s"),
                 ),
-                ((1, "dimension 3"), (1, "dimension 4")),
+                ((2, "half a turn for dimension 3"), (2, "a whole one for dimension 4")),
                 ("A quarter and half a turn: 0.",),
+            ),
+            Part(
+                "The vector of dimension 4 of another rotation about the same axis is "
+                f"${length:g}\\,e$. By which angle about $e$ does it turn the body, with its sign?",
+                r"$\tan(\varphi/4)$ is minus this length: a turn in the other direction.",
+                (Answer("the angle", back, "degrees"),),
+                ((2, "four times the arc tangent"), (1, "the number"), (1, "its sign")),
+                (f"By the formula of dimension 3 ({shown(back / 2)}°): 2.",),
             ),
         ),
     )
@@ -96,6 +109,8 @@ def coning_step(draw: Generator) -> Question:
     )
     turn = 2 * np.pi * frequency / samples
     rows = [f"$({', '.join(map(str, row))})$" for row in (first, second)]
+    allowed = float(draw.choice([0.5, 1.0, 2.0, 5.0]))
+    narrow = half_angle * np.sqrt(allowed / abs(drift))
     unreduced = drift / (1 - np.sin(turn) / turn)
     return Question(
         "A step on a cone",
@@ -103,8 +118,13 @@ def coning_step(draw: Generator) -> Question:
         "predict the drift on a coning motion from a closed formula",
         12,
         rf"Two successive angle increments are $\gamma_1 =$ {rows[0]} and $\gamma_2 =$ {rows[1]} "
-        "hundredths of a radian.",
-        (
+        f"hundredths of a radian. In (b) an axis goes round a cone of half angle {half_angle}°, "
+        f"{frequency} times a second, and the gyros are read {samples} times a second. An "
+        "algorithm that adds up the increments without a correction has a drift of the size "
+        r"$\tfrac12\beta^2\Omega\,(1 - \sin x/x)$, with the half angle $\beta$, the rate "
+        r"$\Omega$ round the cone and the angle $x$ that is gone round between two samples.",
+        two_of(
+            draw,
             Part(
                 "Give the coning correction of the step of both by the two-sample algorithm of "
                 "fourth order: three components, in units of 0.0001 rad.",
@@ -120,29 +140,34 @@ def coning_step(draw: Generator) -> Question:
                 ),
             ),
             Part(
-                f"An axis goes round a cone of half angle {half_angle}°, {frequency} times a "
-                f"second, and the gyros are read {samples} times a second. Which drift, in "
-                "degrees an hour, has an algorithm that adds up the increments without a "
-                r"correction? Its size is $\tfrac12\beta^2\Omega\,(1 - \sin x/x)$ with the half "
-                r"angle $\beta$, the rate $\Omega$ round the cone and the angle $x$ that is gone "
-                "round between two samples.",
+                "Which drift has this algorithm, in degrees an hour, and does what it computes "
+                "run ahead of the motion or lag behind?",
                 rf"$\Omega = {shown(2 * np.pi * frequency)}$ rad/s, $x = {shown(turn)}$ rad. What "
                 "is computed lags behind the motion.",
                 (Answer("the drift, by size,", abs(drift), "°/h"),),
-                ((1, r"$\Omega$ and $x$"), (1, "radians throughout"), (1, "the number")),
+                ((1, r"$\Omega$ and $x$, in radians"), (1, "the number"), (1, "it lags behind")),
                 (
                     rf"$\tfrac12\beta^2\Omega$ alone ({shown(abs(unreduced))}), as if nothing of "
                     "the cone were seen: 1.",
                 ),
             ),
             Part(
-                "By what factor does it shrink if the gyros are read twice as often? Which "
+                "By what factor does the drift shrink if the gyros are read twice as often? Which "
                 "motion would flatter this algorithm, so that a test with it proves nothing?",
                 "The bracket is $x^2/6$ for small $x$, so nearly 4. A turn about a fixed axis "
                 "needs no correction at all.",
                 (Answer("the factor", drift / halved),),
-                ((1, "about four"), (1, "a fixed axis, or another motion without a cone")),
-                ("Two, because there are twice as many samples: 0.",),
+                ((1, "about four"), (2, "a fixed axis, or another motion without a cone")),
+                ("Two, because there are twice as many samples: 0 for the first mark.",),
+            ),
+            Part(
+                f"A drift of {plain(allowed)}°/h would be allowed. How wide may the "
+                "cone be then, as its half angle in degrees, and by how much does the drift fall "
+                "with half of this angle?",
+                r"The drift goes with $\beta^2$: half of the angle is a quarter of the drift.",
+                (Answer("the half angle", float(narrow), "degrees"),),
+                ((1, r"solved for $\beta$"), (1, "the number"), (1, "a quarter")),
+                ("The drift taken as going with the angle: 1.",),
             ),
         ),
     )
@@ -160,6 +185,10 @@ def calibration_step(draw: Generator) -> Question:
         measured = float(draw.choice([-1, 1]) * draw.integers(6, 20))
         update = correct(before, [measured], [[1.0, 0.0]], [[noise**2]])
         nis = float(update.nis)
+    longer = predict(
+        np.diag([angle**2, bias**2]), np.array([[1.0, 2 * time], [0.0, 1.0]]), np.zeros((2, 2))
+    )
+    later = np.sqrt(correct(longer, [measured], [[1.0, 0.0]], [[noise**2]]).covariance[1, 1])
     after = np.sqrt(np.diag(update.covariance))
     spread = np.sqrt(before[0, 0] + noise**2)
     uncoupled = measured * bias**2 / (bias**2 + noise**2)
@@ -173,20 +202,8 @@ def calibration_step(draw: Generator) -> Question:
         f"gyro behind it ({bias:g}″ a minute), uncorrelated; both estimates are zero. "
         f"{time:g} minutes pass, the gyro has no noise. Then the angle is measured: "
         f"{plain(measured)}″, with a standard deviation of {noise:g}″.",
-        (
-            Part(
-                "Which standard deviation has the angle before it is measured, and which is its "
-                "covariance with the bias then?",
-                r"$\Phi P\Phi^T$ with $\Phi = " + r"\begin{pmatrix}1 & T\\ 0 & 1\end{pmatrix}$: "
-                "the angle has its own variance and $T^2$ times that of the bias; the covariance "
-                "is $T$ times that of the bias.",
-                (
-                    Answer("the deviation of the angle", float(np.sqrt(before[0, 0])), "″"),
-                    Answer("the covariance", float(before[0, 1]), "″² a minute"),
-                ),
-                ((1, "the deviation"), (1, "the covariance")),
-                (f"Deviations added ({shown(angle + time * bias)}): 0 for the first mark.",),
-            ),
+        two_of(
+            draw,
             Part(
                 "Which estimates has the filter after the measurement, of the angle and of the "
                 "bias, and which standard deviation has the bias now?",
@@ -205,6 +222,19 @@ def calibration_step(draw: Generator) -> Question:
                 ),
             ),
             Part(
+                "Which standard deviation has the angle before it is measured, and which is its "
+                "covariance with the bias then?",
+                r"$\Phi P\Phi^T$ with $\Phi = " + r"\begin{pmatrix}1 & T\\ 0 & 1\end{pmatrix}$: "
+                "the angle has its own variance and $T^2$ times that of the bias; the covariance "
+                "is $T$ times that of the bias.",
+                (
+                    Answer("the deviation of the angle", float(np.sqrt(before[0, 0])), "″"),
+                    Answer("the covariance", float(before[0, 1]), "″² a minute"),
+                ),
+                ((2, "the deviation"), (1, "the covariance")),
+                (f"Deviations added ({shown(angle + time * bias)}): 0 for the first two marks.",),
+            ),
+            Part(
                 "How large is the normalised innovation squared (NIS)? Would you believe the "
                 "filter, and what does a single good one not prove?",
                 f"The innovation in units of its own deviation, squared; it is {believed} what "
@@ -217,6 +247,15 @@ def calibration_step(draw: Generator) -> Question:
                     f"({shown((measured / noise) ** 2)}): 0 for the first mark.",
                 ),
             ),
+            Part(
+                f"How well would the bias be known if {2 * time:g} minutes had passed before the "
+                "same measurement, as a standard deviation, and why?",
+                r"$\Phi P\Phi^T$ with twice the time: the angle carries more of the bias, the "
+                "correlation is closer, so the same measurement says more about the bias.",
+                (Answer("the deviation of the bias, later,", float(later), "″ a minute"),),
+                ((2, "the number"), (1, "a closer correlation")),
+                ("Half of the deviation, because of twice the time: 0.",),
+            ),
         ),
     )
 
@@ -228,6 +267,7 @@ def turned_by_hand(draw: Generator) -> Question:
     number = float(draw.choice([-1, 1]) * draw.integers(20, 90)) * 1e-4
     offset = float(draw.choice([-1, 1]) * draw.integers(3, 20)) * 0.01
     stop = float(draw.choice([0.5, 0.8, 1.0, 1.5]))
+    wanted = float(draw.choice([1, 2, 4])) * 1e-4
     short, deviation = int(draw.choice([1, 4, 9])), float(draw.integers(9, 30))
     long = int(draw.choice([400, 900, 1600]))
     walk = deviation * np.sqrt(short) / 60  # deg/√h
@@ -237,6 +277,7 @@ def turned_by_hand(draw: Generator) -> Question:
     found = (angles[0] - angles[1]) / (720 * turns) - 1
     found_offset = sum(angles) / (2 * seconds)
     half = stop / np.sqrt(2) / (360 * turns)
+    many = stop / np.sqrt(2) / (360 * wanted)
     return Question(
         "Turned by hand",
         "13",
@@ -245,7 +286,8 @@ def turned_by_hand(draw: Generator) -> Question:
         f"Somebody turns a phone {turns} whole times about its axis, in {seconds} seconds; its "
         f"gyro adds up to {plain(angles[0])}°. As many turns back in the same time give "
         f"{plain(angles[1])}°.",
-        (
+        two_of(
+            draw,
             Part(
                 "Find Larin's number, the part by which the gyro reads too much along its axis, "
                 "and the offset in degrees a second. What is in the offset?",
@@ -265,8 +307,8 @@ def turned_by_hand(draw: Generator) -> Question:
                 r"The half difference of two runs has the deviation of one over $\sqrt2$. Twice "
                 "as many turns in a run halve it; four times as many runs do, too.",
                 (Answer("the standard deviation", half),),
-                ((1, "the number"), (1, "more turns in a run, or four times the runs")),
-                ("Twice as many runs: 0 for the second mark, it is the root of two.",),
+                ((1, "the number"), (2, "more turns in a run, or four times the runs")),
+                ("Twice as many runs: 0 for the last two marks, it is the root of two.",),
             ),
             Part(
                 f"At rest, the Allan deviation of the gyro is {deviation:g} degrees an hour at "
@@ -283,6 +325,17 @@ def turned_by_hand(draw: Generator) -> Question:
                 ),
                 ((1, r"$N$ in its unit"), (1, "white noise at the long time"), (1, "conclusion")),
                 (rf"$N$ with $\tau$ left in seconds ({shown(60 * walk)}): 0 for its mark.",),
+            ),
+            Part(
+                f"A stop is met to {stop}° (standard deviation of the angle of one run). Of how "
+                "many whole turns must a run be, so that two runs in both directions give Larin's "
+                f"number to {shown(wanted, 1)}, one standard deviation? Why do more samples a "
+                "second not help?",
+                r"The stop over $\sqrt2$, over the angle turned, is the deviation; what limits it "
+                "is the stop, not the noise of the samples. The number is rounded up.",
+                (Answer("the turns, before rounding up,", many),),
+                ((2, "the number"), (1, "the stop limits it")),
+                (rf"Without $\sqrt2$ ({shown(many * 2**0.5)}): 2.",),
             ),
         ),
     )

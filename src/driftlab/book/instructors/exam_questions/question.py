@@ -68,6 +68,11 @@ def shown(value: float, digits: int = 3) -> str:
     return f"{value:.{after}f}".replace("-", "−")
 
 
+def two_of(draw: np.random.Generator, first: Part, *others: Part) -> tuple[Part, Part]:
+    """Return a part that every sheet has, and one of several that earn the same."""
+    return first, others[int(draw.integers(len(others)))]
+
+
 def plain(value: float) -> str:
     """Return a number that was drawn, with the minus of a printed page."""
     return f"{value:.10g}".replace("-", "−")

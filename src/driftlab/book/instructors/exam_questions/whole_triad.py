@@ -8,7 +8,7 @@ from numpy.random import Generator
 from driftlab.body_frames import misalignment_vector
 from driftlab.triad import split_error_matrix
 
-from .question import Answer, Part, Question, matrix, shown
+from .question import Answer, Part, Question, matrix, shown, two_of
 from .turns import ARCSEC
 
 AXES = "xyz"
@@ -41,7 +41,24 @@ def three_parts(draw: Generator) -> Question:
         "take an error matrix apart into scale, non-orthogonality and misalignment",
         8,
         rf"The gyros of a box measure $(I + K)\,\omega$ with $K = {matrix(entries)}$ arc seconds.",
-        (
+        two_of(
+            draw,
+            Part(
+                "Gyros and accelerometers together have 24 errors, biases included. Why can "
+                "navigation find 21 of them only, which three are left, and what would decide "
+                "them?",
+                "Gyros and accelerometers turned together by one small rotation are the same box "
+                "in another mounting: three numbers that no motion of the box shows. They stay "
+                "open until somebody says how its axes are defined, or measures the triads "
+                "against the case.",
+                (),
+                (
+                    (2, "the common misalignment of both triads is a choice of axes"),
+                    (1, "no motion shows it, so no scheme of turns and no better sensor helps"),
+                    (1, "what would decide it: a statement, or a measurement against the case"),
+                ),
+                ("Three errors named that are hard to see (say, upright biases): 0.",),
+            ),
             Part(
                 r"Give the three entries $xy$, $xz$, $yz$ of the non-orthogonality, and the "
                 r"misalignment $\kappa$ for which the skew part is $[\kappa\times]$, all in arc "
@@ -80,23 +97,21 @@ def three_parts(draw: Generator) -> Question:
                     Answer(f"the error about {name}", float(x), "arc seconds")
                     for name, x in zip(("East", "North", "Up"), start, strict=True)
                 ),
-                ((1, r"minus $\kappa$"), (1, "in local axes, by the attitude at the start")),
-                (r"$+C(0)\kappa$, or $-\kappa$ left in body axes: 1.",),
+                ((1, r"minus $\kappa$"), (2, "in local axes, by the attitude at the start")),
+                (r"$+C(0)\kappa$: 2. $-\kappa$ left in body axes: 1.",),
             ),
             Part(
-                "Gyros and accelerometers together have 24 errors, biases included. Why can "
-                "navigation find 21 of them only?",
-                "Gyros and accelerometers turned together by one small rotation are the same box "
-                "in another mounting: three numbers that no motion of the box shows, unless "
-                "somebody says how its axes are defined.",
-                (),
+                "The axes of the body are defined anew, so that the gyros have no misalignment "
+                "to first order. Which matrix of errors have they then? Give its entries $xy$, "
+                "$yx$ and $zz$, in arc seconds.",
+                "A new definition of the axes takes off a skew matrix. The symmetric part is left.",
                 (
-                    (
-                        1,
-                        "the common misalignment of both triads is a choice of axes",
-                    ),
+                    Answer("the new entry $xy$", float(pairs[0]), "arc seconds"),
+                    Answer("the new entry $yx$", float(pairs[0]), "arc seconds"),
+                    Answer("the new entry $zz$", float(scale[2]), "arc seconds"),
                 ),
-                ("Three errors named that are hard to see (say, upright biases): 0.",),
+                ((2, "the symmetric part is left"), (1, "three numbers")),
+                ("The scale-factor errors taken off as well: 2.",),
             ),
         ),
     )
