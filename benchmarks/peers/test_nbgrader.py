@@ -5,8 +5,10 @@ nbgrader stands in an environment of its own; the kernel that runs the notebooks
 
 import json
 import os
+import re
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import nbformat
@@ -19,6 +21,7 @@ from driftlab.book import given
 from driftlab.drift import earth_rate_offset
 
 UV = [sys.executable, "-m", "uv", "tool", "run", "--quiet", "--from", "nbgrader==0.9.5"]
+NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 GRADEBOOK = """\
 import json
 from nbgrader.api import Gradebook
@@ -99,6 +102,31 @@ def test_marks_of_right_wrong_and_missing_answers(tmp_path: Path) -> None:
     done(tmp_path, "nbgrader", "autograde", "sheet", "--create")
     marks = json.loads(done(tmp_path, "python", "-c", GRADEBOOK))
     assert {who: [scores[name] for name in MARKED] for who, scores in marks.items()} == MARKS
+
+
+def test_an_archive_of_moodle_is_collected_and_two_of_one_name_stay_apart(tmp_path: Path) -> None:
+    """With the lines that ``for_instructors.ipynb`` gives for the configuration."""
+    if ask(tmp_path, "nbgrader", "--version").returncode:
+        pytest.skip("nbgrader cannot be fetched.")
+    page = nbformat.read(NOTEBOOKS / "for_instructors.ipynb", as_version=4)
+    (lines,) = (
+        found[0]
+        for cell in page.cells
+        if (found := re.search(r"^c\.FileNameCollectorPlugin.*?^\)$", cell.source, re.M | re.S))
+    )
+    (tmp_path / "nbgrader_config.py").write_text(f"c = get_config()\n{lines}\n")
+    (tmp_path / "release/sheet").mkdir(parents=True)
+    nbformat.write(new_notebook(), tmp_path / "release/sheet/problem.ipynb")
+    students = ["Ada Lovelace_51001", "Ada Lovelace_51002", "Zoë van 't Hoff_51003"]
+    archive = tmp_path / "downloaded/sheet/archive/all.zip"
+    archive.parent.mkdir(parents=True)
+    with zipfile.ZipFile(archive, "w") as packed:
+        for who in students:
+            name = f"{who}_assignsubmission_file_/problem.ipynb"
+            packed.write(tmp_path / "release/sheet/problem.ipynb", name)
+    done(tmp_path, "nbgrader", "zip_collect", "sheet")
+    collected = (tmp_path / "submitted").glob("*/sheet/problem.ipynb")
+    assert sorted(path.parts[-3] for path in collected) == students
 
 
 def prepare(course: Path) -> None:
