@@ -207,7 +207,7 @@ def write_class_report(folder: Path, chapters: str | None, output: Path | None) 
     try:
         from driftlab.book import class_report
 
-        report = class_report(folder, chapters.split(",") if chapters else None)
+        report = class_report(folder, chapters)
         place = folder.resolve()
         written = report.write(output or place.with_name(f"{place.name}-report"))
     except (ValueError, OSError, ModuleNotFoundError) as error:

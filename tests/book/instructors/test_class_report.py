@@ -106,7 +106,7 @@ def test_answers_are_counted_by_slip_and_by_notebook(tmp_path):
     put(tmp_path, "deep/er/Ada Lovelace/03.ipynb", wrong)
     put(tmp_path, "whole book.ipynb", cell("check('3.3', ...)"), cell("check('4.3', ...)"))
     put(tmp_path, ".ipynb_checkpoints/03.ipynb", wrong)
-    report = class_report(tmp_path, ["3"])
+    report = class_report(tmp_path, "3")
     reason = "(c) counts the three entries off the diagonal of Σ. Scale errors are on it."
     slip = f"Chose a, c, d. {reason}"
     assert counts(report) == {

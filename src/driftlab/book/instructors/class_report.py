@@ -43,8 +43,9 @@ STYLE = """
 .class-report table { border-collapse: collapse }
 .class-report th, .class-report td {
   padding: 0.2em 0.6em; border: 1px solid rgba(128, 128, 128, 0.4);
-  text-align: left; vertical-align: top; overflow-wrap: anywhere
+  text-align: left; vertical-align: top
 }
+.class-report td { overflow-wrap: anywhere }
 .class-report .count { text-align: right }
 .class-report .right { background: rgba(0, 158, 115, 0.2) }
 .class-report .slip { background: rgba(213, 94, 0, 0.2) }
@@ -101,7 +102,7 @@ class ClassReport:
         return place
 
 
-def class_report(folder: str | Path, chapters: Iterable[str] | None = None) -> ClassReport:
+def class_report(folder: str | Path, chapters: str | Iterable[str] | None = None) -> ClassReport:
     """Return how often each slip occurs in the notebooks that a class handed in.
 
     A literal answer in a cell is read from its text. Otherwise the value that `check` recorded is
@@ -112,8 +113,8 @@ def class_report(folder: str | Path, chapters: Iterable[str] | None = None) -> C
     ----------
     folder : path
         The notebooks, in folders of any kind; each is named by its path.
-    chapters : list of str, optional
-        As "03" or "4": exercises of these chapters only, else of all with a call of `check`.
+    chapters : str or list of str, optional
+        As "03,04": exercises of these chapters only, else of all with a call of `check`.
 
     Raises
     ------
@@ -146,10 +147,11 @@ def class_report(folder: str | Path, chapters: Iterable[str] | None = None) -> C
     return ClassReport(ranked, len(found), notes)
 
 
-def _exercises(chapters: Iterable[str] | None) -> dict[str, Exercise]:
+def _exercises(chapters: str | Iterable[str] | None) -> dict[str, Exercise]:
     if chapters is None:
         return all_exercises()
     known = chapters_with("exercises")
+    chapters = chapters.split(",") if isinstance(chapters, str) else chapters
     wanted = [str(chapter).strip().zfill(2) for chapter in chapters]
     if strange := [chapter for chapter in wanted if chapter not in known]:
         raise ValueError(
