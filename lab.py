@@ -9,6 +9,7 @@ import platform
 import re
 import socket
 import sys
+import textwrap
 import time
 from pathlib import Path
 
@@ -21,41 +22,38 @@ if sys.version_info < (3, 11):  # noqa: UP036
 
 sys.path.append(str(Path(__file__).resolve().parent))
 
-from bootstrap.beside import (
-    LOWEST_HEAD,
-    LOWEST_LIST,
-    SITE_HEAD,
-    SITE_LIST,
-    apart,
-    of_today,
-    without,
-)
 from bootstrap.copies import BOOK, bring_clean, bring_copies
 from bootstrap.environment import (
-    ENVIRONMENT,
+    LOWEST_LIST,
     PYPROJECT,
+    SITE_LIST,
+    beside,
     lock_line,
+    of_today,
     pins,
     project,
     runs,
     set_up,
     write,
 )
-from bootstrap.release import version, written
+from bootstrap.installer import ENVIRONMENT, installers
 from bootstrap.server import serve
 from bootstrap.steps import (
     DISK_FULL,
     HOME,
     PYTHON,
+    VENV,
     NoPackages,
     Trouble,
     catch_signals,
+    run_step,
     running,
     say,
     surroundings,
 )
-from bootstrap.teaching import TEACHING, by_site_tools, expect_whole, seen_from_here
 
+LOWEST_HEAD = "# The oldest packages that pyproject.toml allows, for 'python3 lab.py lowest'.\n"
+SITE_HEAD = "# What 'python3 lab.py site' needs beside environment.txt; by 'python3 lab.py lock'.\n"
 FIRST = "00_start_here.ipynb"
 HEAD = """\
 Drift Lab: an interactive textbook on how gyro misalignments become errors.
@@ -68,63 +66,8 @@ python3 lab.py help COMMAND       shows the options of a command
 python3 lab.py help developers    shows the others, also those for a class
 docs/commands.md                  has all of this on one page
 """
-FIRST_STEPS = """\
-  open      set up what is missing and open your copy of the book (the default)
-              --no-browser   only print the address
-              --port N       use this port
-              --original     open the book itself, for authors
-  fresh     make clean notebooks and keep yours ("fresh 03": of a chapter)
-  test      check that everything works on your computer
-              --quick        leave out browsers, chapters, set-ups, long studies
-              --site         only the site that "site" built, in _site or in
-                             the folder that DRIFTLAB_SITE names
-              other arguments go to pytest, which then runs alone
-  figures   rebuild all figures and tables ("figures 03": those of a chapter)
-              "figures 10-operating-formula" rebuilds one figure
-              --workers N           processes for studies of many runs;
-                                    one per core if this is not given
-              --scheduler ADDRESS   send those runs to a dask cluster
-              --keep FOLDER         keep finished runs, and continue from them
-              --compare             write nothing; list numbers that differ
-  print     make a PDF of the whole book in _print ("print 03": of a chapter)
-              "print 03 lab_sheet solutions/03" prints these notebooks
-              --no-code      only the results of the cells
-              --exercises    only the exercises of a chapter, with room to write
-              --edition TEXT only the examination with the numbers that belong
-                             to this text, and its marking scheme
-              --paper us-letter   instead of A4
-  slides    make slides that need no network ("slides 03": of a chapter)
-              they are written to _slides
-              --code         show the code as well
-"""
-OTHERS = """\
-For a class
-
-  student   pack a copy for students, without solutions and teachers' pages
-              a name for the zip file may follow
-  class     report what a class got wrong: "class FOLDER", its notebooks
-              --chapters 03,04   exercises of these chapters only
-              --output FOLDER    where to write; else next to what is read
-  site      build the book as a live web site and as a PDF, in _site
-              --self-contained FOLDER   with Pyodide from this folder
-  wheels    download all packages for use without a network: "wheels FOLDER"
-              --system windows   for another system: windows, mac or linux
-              --python 3.12      for another version of Python
-
-For developers
-
-  lowest    run the quick tests with the oldest packages that are allowed
-  newest    run the quick tests with the newest packages that are allowed
-  bench     measure the speed, next to other packages and C; write speed.md
-              "bench attitude filter" prints these subjects only
-              --repeats N    rounds of each row
-              --no-write     print only
-  peers     download programs of others and compare their results with ours
-  lock      renew all lists of packages from pyproject.toml
-  release   write the facts of release/release.toml where they are needed
-"""
-ENTRY = re.compile(r"^  (\w+) .*\n(?: {14}.*\n)*", re.MULTILINE)
-"""A command in these texts: its first line, then its options, which are indented further."""
+ROW = r"^\| `(\w+)` \| (.*?) \| (.*?) ?\|$"
+"""A command in docs/commands.md: its name, what it does, its options."""
 SITE = "_site"
 # The longest groups first, as tests/conftest.py orders them, not those of the most tests.
 # Two processors are busy with three of them: one waits for the browser half of the time.
@@ -140,13 +83,15 @@ OF_DIFFERENT_AGE = [
     "--deselect=tests/site/test_widgets_standin.py::test_shows_the_same",
 ]
 NEWEST_EXTRAS = ("book", "cluster", "compiled", "lab", "test", "dev")
+# Paths are seen from where the caller is; -P: modules are not.
+BOOK_PROGRAM = ("-P", "-m", "driftlab.book")
 LONG = ("browser", "kernel", "setup", "slow")
 QUICK = ["--hypothesis-profile=quick", "-m", " and ".join(f"not {mark}" for mark in LONG)]
 
 
-def run(*arguments: str) -> int:
-    """Run the environment's Python in sight of the user and return its exit code."""
-    with running([str(PYTHON), *arguments]) as process:
+def run(*arguments: str, python: Path = PYTHON, venv: Path = VENV, cwd: Path = HOME) -> int:
+    """Run a Python, the environment's, in sight of the user and return its exit code."""
+    with running([str(python), *arguments], env=surroundings(venv), cwd=cwd) as process:
         return abs(process.wait())
 
 
@@ -212,7 +157,7 @@ def test(arguments: list[str]) -> int:
 
 def lowest(arguments: list[str]) -> int:
     """Run the quick tests in an environment of the oldest packages that are allowed."""
-    return quick_tests(apart(LOWEST_LIST), arguments)
+    return quick_tests(beside(LOWEST_LIST, "lowest"), arguments)
 
 
 def newest(arguments: list[str]) -> int:
@@ -223,20 +168,13 @@ def newest(arguments: list[str]) -> int:
 def quick_tests(python: Path, arguments: list[str]) -> int:
     """Run the quick tests, or some of them, in an environment whose packages are of another age."""
     asked = [*QUICK, *OF_DIFFERENT_AGE, *(arguments or AT_ONCE)]
-    around = surroundings(python.parents[1])
-    with running([str(python), "-m", "pytest", *asked], env=around) as process:
-        return abs(process.wait())
+    return run("-m", "pytest", *asked, python=python, venv=python.parents[1])
 
 
 def figures(arguments: list[str]) -> int:
     """Rebuild every figure and table, or some."""
     set_up()
-    # Of what is said, only this is a path.
-    seen = [
-        seen_from_here(each) if last == "--keep" or each.startswith("--keep=") else each
-        for last, each in zip(["", *arguments], arguments, strict=False)
-    ]
-    return run("-m", "driftlab.book", "figures", *seen)
+    return run(*BOOK_PROGRAM, "figures", *arguments, cwd=Path.cwd())
 
 
 def bench(arguments: list[str]) -> int:
@@ -251,7 +189,7 @@ def peers(arguments: list[str]) -> int:
     """Ask the programs of others whether they compute the same; who is missing is skipped."""
     expect_none(arguments)
     set_up()
-    for extra in ("bench", "cluster", "peers"):
+    for extra in ("bench", "cluster", "compiled", "peers"):
         fetch(extra)
     return run("-m", "pytest", "benchmarks")
 
@@ -263,14 +201,57 @@ def asks_for_help(arguments: list[str]) -> bool:
 def fetch(extra: str) -> None:
     """Bring the packages of an extra; they may not change what environment.txt pins."""
     wanted = project()["project"].get("optional-dependencies", {}).get(extra, [])
-    pip = ["pip", "install", "--quiet", "--no-input", "--retries=2", "--only-binary=:all:"]
-    if wanted and run("-m", *pip, *wanted, *pins()):
-        say("Going on without the packages to compare with.")
+    if wanted:
+        command, env = next(installers(VENV))
+        try:
+            run_step([*command, "--only-binary=:all:", *wanted, *pins()], env)
+        except NoPackages as trouble:
+            say(f"{trouble}\nGoing on without the packages to compare with.")
 
 
 def site(arguments: list[str]) -> int:
     """Build the site in an environment of its own; a warning is an error."""
     return by_site_tools("site/build.py", arguments)
+
+
+def print_(arguments: list[str]) -> int:
+    """Print chapters, or the whole book, as PDF in _print."""
+    return by_site_tools("site/paper.py", arguments)
+
+
+def slides(arguments: list[str]) -> int:
+    """Make the slides of some chapters, or of all."""
+    return by_site_tools("site/slides/make.py", arguments)
+
+
+def by_site_tools(name: str, arguments: list[str]) -> int:
+    """Run a script of the site in the environment that has its tools and return its exit code."""
+    set_up()
+    return run(name, *arguments, python=beside(SITE_LIST, "site", sees_venv=True))
+
+
+def student(arguments: list[str]) -> int:
+    """Pack a copy for students, into the file that is named, if one is."""
+    if len(arguments) > 1 or any(argument.startswith("-") for argument in arguments):
+        raise Trouble(f"student: expected at most one file, got {' '.join(arguments)}.")
+    target = Path(*arguments).absolute() if arguments else HOME / "drift-lab-student.zip"
+    return run("deployment/student.py", str(target), python=Path(sys.executable))
+
+
+def class_report(arguments: list[str]) -> int:
+    """Report what a class handed in."""
+    if not arguments:
+        raise Trouble('Say what to read: "python3 lab.py class FOLDER".')
+    set_up()
+    return run(*BOOK_PROGRAM, "class", *arguments, cwd=Path.cwd())
+
+
+def wheels(arguments: list[str]) -> int:
+    """Fetch the packages into a folder, for computers without a network."""
+    if not arguments or arguments[0].startswith("-"):
+        raise Trouble('Say where to put them: "python3 lab.py wheels FOLDER".')
+    set_up()
+    return run("-m", "bootstrap.offline", str(Path(arguments[0]).absolute()), *arguments[1:])
 
 
 def lock(arguments: list[str]) -> int:
@@ -285,7 +266,7 @@ def lock(arguments: list[str]) -> int:
         say("The list of the oldest packages is renewed.")
     if "site" in extras:
         found = resolved(SITE_LIST, "--extra", "site", "--constraint", ENVIRONMENT.name)
-        write(SITE_LIST, SITE_HEAD + without(ENVIRONMENT.read_text("utf-8"), found))
+        write(SITE_LIST, SITE_HEAD + without(found, ENVIRONMENT.read_text("utf-8")))
         say("The list of the site's packages is renewed.")
     return 0
 
@@ -301,13 +282,16 @@ def resolved(listed: Path, *options: str) -> str:
     return found
 
 
+def without(text: str, known: str) -> str:
+    """Return a list of pinned packages without those, with the same hashes, of another list."""
+    packages = re.findall(r"^[^\s#].*\n(?:[ \t].*\n)*", text, re.M)
+    return "".join(package for package in packages if package not in known)
+
+
 def release(arguments: list[str]) -> int:
     """Write addresses, date and digest of this version into the files that need them."""
     expect_none(arguments)
-    for path, text in written().items():
-        write(path, text)
-    say(f"Written for version {version()}; release/README.md says what comes next.")
-    return 0
+    return run("release/write.py", python=Path(sys.executable))
 
 
 def expect_none(arguments: list[str]) -> None:
@@ -325,21 +309,50 @@ COMMANDS = {
     "bench": bench,
     "peers": peers,
     "site": site,
-    **TEACHING,
+    "slides": slides,
+    "print": print_,
+    "class": class_report,
+    "student": student,
+    "wheels": wheels,
     "lock": lock,
     "release": release,
 }
 
 
+NEEDS = {
+    **dict.fromkeys(("test", "lowest"), "tests"),
+    **dict.fromkeys(("bench", "peers"), "benchmarks"),
+    **dict.fromkeys(("site", "slides", "print"), "site"),
+    **dict.fromkeys(("class", "student"), "src/driftlab/book/instructors"),
+    "release": "release/release.toml",
+}
+"""The files that commands need and that a student's copy does not have."""
+
+
 def help_text(subject: str = "") -> str:
-    """Return the help on six commands to begin with, on the others ("developers"), or on one."""
+    """Return the help on six commands to begin with, on the others ("developers"), or on one.
+
+    It is read from docs/commands.md.
+    """
+    text = (HOME / "docs/commands.md").read_text("utf-8").partition("\n## python")[0]
+    first, *others = [re.findall(ROW, part, re.M) for part in text.split("\n### ")[1:]]
+    rows = {name: (about, options) for part in (first, *others) for name, about, options in part}
     if not subject:
-        lines = [entry[0].splitlines()[0] for entry in ENTRY.finditer(FIRST_STEPS)]
-        return HEAD + "\n".join([*lines, TAIL])
-    entries = {entry[1]: entry[0] for entry in ENTRY.finditer(FIRST_STEPS + OTHERS)}
-    if subject not in {"developers", *entries}:
+        return HEAD + "".join(brief(name, about) for name, about, _ in first) + TAIL
+    if subject == "developers":
+        return "".join(brief(name, about) for part in others for name, about, _ in part)
+    if subject not in rows:
         raise no_command(subject)
-    return OTHERS if subject == "developers" else entries[subject]
+    about, options = rows[subject]
+    lines = textwrap.wrap(f"  {subject:<9} {about}", 78, subsequent_indent=12 * " ")
+    lines += [14 * " " + option for option in options.split("<br>") if option]
+    return "\n".join(lines).replace("`", "") + "\n"
+
+
+def brief(name: str, about: str) -> str:
+    """Return a line on a command: its first sentence, shortened."""
+    words = re.split(r"[.:;]( |$)", re.sub(r"\[(.*?)\]\(.*?\)|`", r"\1", about))[0]
+    return f"  {name:<9} {textwrap.shorten(words, 67, placeholder=' ...')}\n"
 
 
 def no_command(name: str) -> Trouble:
@@ -356,7 +369,8 @@ def main(arguments: list[str]) -> int:
     command, *rest = arguments
     if command not in COMMANDS:
         raise no_command(command)
-    expect_whole(command)
+    if not (HOME / NEEDS.get(command, ".")).exists():
+        raise Trouble(f'This is a student\'s copy of the book, which has no "{command}".')
     return COMMANDS[command](rest)
 
 

@@ -1,13 +1,11 @@
-"""Makes ``.venv`` from environment.txt and keeps it in line with it.
+"""Makes ``.venv`` from environment.txt, and other environments beside it, and keeps them in line.
 
-The packages of environment.txt and the book's own package go into ``.venv``; elsewhere nothing
-is installed. An environment is made aside, looked through, and only then put in the place of the
-old one, which works until then.
+An environment is made aside and only then put in the place of the old one, which works until then.
 """
 
+import csv
 import errno
 import hashlib
-import importlib.util
 import json
 import os
 import platform
@@ -18,30 +16,25 @@ import sys
 import sysconfig
 import time
 import tomllib
+from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
-from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-from bootstrap.records import unlike_records
-from bootstrap.steps import (
-    BIN,
-    DISK_FULL,
-    HOME,
-    PYTHON,
-    PYTHON_NAME,
-    VENV,
-    VERSION,
-    Trouble,
-    pip_install,
-    run_step,
-    say,
-)
+from bootstrap.installer import ENVIRONMENT, fill, python_of
+from bootstrap.steps import BIN, DISK_FULL, HOME, PYTHON, VENV, VERSION, Trouble, say
 
-STAMP = "driftlab.json"  # in .venv, written last
+STAMP = "driftlab.json"  # in an environment, written last
 LOCK = HOME / ".setup.lock"
-ENVIRONMENT, PYPROJECT = HOME / "environment.txt", HOME / "pyproject.toml"
+PYPROJECT = HOME / "pyproject.toml"
+SITE_LIST, LOWEST_LIST = HOME / "site/packages.txt", HOME / "bootstrap/lowest.txt"
+OWN = ["--no-deps", "--no-build-isolation", "--editable", "."]
+
+
+def listed(path: Path) -> list[str]:
+    # --only-binary: building from source would fetch tools that environment.txt does not pin.
+    return ["--no-deps", "--only-binary=:all:", "--require-hashes", "-r", str(path)]
 
 
 def project() -> dict[str, Any]:
@@ -62,58 +55,72 @@ def pins() -> list[str]:
     return re.findall(r"^([^\s#].*?) *\\?$", ENVIRONMENT.read_text("utf-8"), re.M)
 
 
-def wanted_stamp() -> dict[str, str]:
-    """Return what the stamp says, besides the contents, when the present project is set up."""
-    return {
-        "environment": hashlib.sha256(ENVIRONMENT.read_bytes()).hexdigest(),
-        "python": f"{platform.python_implementation()} {VERSION}",
-        "folder": str(VENV),
-    }
+def wanted_stamp(*files: Path) -> dict[str, Any]:
+    """Return what a stamp says, besides what was unlike its record from the beginning."""
+    digest = hashlib.sha256(b"".join(path.read_bytes() for path in files)).hexdigest()
+    return {"environment": digest, "python": f"{platform.python_implementation()} {VERSION}"}
 
 
-def read_stamp() -> dict[str, Any]:
+def read_stamp(folder: Path = VENV) -> dict[str, Any]:
     """Return the stamp of the last finished set-up; empty if there is none."""
     try:
-        stamp = json.loads((VENV / STAMP).read_text("utf-8"))
+        stamp = json.loads((folder / STAMP).read_text("utf-8"))
     except (OSError, ValueError):
         return {}
     return stamp if isinstance(stamp, dict) else {}
 
 
-def is_whole() -> bool:
-    """Tell whether the environment has all that was installed, each file of it, and runs."""
-    if not runs():
-        return False
-    # What was unlike its record from the beginning, for whatever reason, would be so again.
-    unlike = unlike_records(site_packages(VENV), VENV / BIN)
-    return set(unlike) <= set(read_stamp().get("unlike") or [])
-
-
 def runs() -> bool:
-    """Tell whether the environment has its packages, if not all of each, and its Python runs."""
-    contents = read_stamp().get("contents")
-    if not contents or not all((VENV / name).exists() for name in contents):
-        return False
+    """Tell whether the environment was finished once, and its Python runs."""
     try:
         subprocess.run([PYTHON, "-I", "-S", "-c", ""], check=True, capture_output=True)
     except (OSError, subprocess.CalledProcessError):
         return False
-    return True
+    return "unlike" in read_stamp()
+
+
+def site_packages(venv: Path) -> Path:
+    return Path(sysconfig.get_path("purelib", "venv", {"base": str(venv)}))
+
+
+def unlike_records(venv: Path) -> list[str]:
+    """Return the files that are lost, or whose size differs from the record of their package.
+
+    Each folder is listed once and no file is opened: this takes a tenth of a second. Scripts and
+    driftlab.pth are rewritten after the set-up, and Python's compiled files have no size.
+    """
+    packages, unlike = site_packages(venv), []
+    folders: defaultdict[Path, list[tuple[str, str]]] = defaultdict(list)
+    for record in packages.glob("*.dist-info/RECORD"):
+        try:
+            for path, _, size in csv.reader(record.read_text("utf-8").splitlines()):
+                if size and not path.startswith("..") and path != "driftlab.pth":
+                    folders[(packages / path).parent].append((path.rpartition("/")[2], size))
+        except (OSError, ValueError, csv.Error):
+            unlike.append(record.parent.name)
+    for folder, files in folders.items():
+        try:
+            with os.scandir(folder) as entries:
+                sizes = {entry.name: str(entry.stat().st_size) for entry in entries}
+        except OSError:
+            sizes = {}
+        unlike += [f"{folder.name}/{name}" for name, size in files if sizes.get(name) != size]
+    return unlike
 
 
 def reason_to_build() -> str:
     """Say why the environment has to be made; nothing if it can stay."""
-    found, wanted = read_stamp(), wanted_stamp()
+    found, wanted = read_stamp(), wanted_stamp(ENVIRONMENT)
     if not VENV.exists() or (VENV.is_dir() and not any(VENV.iterdir())):
-        return f"Setting up Drift Lab in {HOME}; the first time takes a minute or two."
+        return f"Setting up Drift Lab in {HOME}; the first time about 300 MB are downloaded."
     if not (VENV / STAMP).exists():
         raise Trouble(f"{VENV} was not made by lab.py: move it away and run this again.")
     if found.get("python", wanted["python"]) != wanted["python"]:
-        return f"Making the environment anew, for {wanted['python']}."
+        return f"Making the environment again, for {wanted['python']}."
     if found.get("environment", wanted["environment"]) != wanted["environment"]:
         return "The project has changed since the last set-up; updating its environment."
-    if not is_whole():
-        return "The environment is damaged; making it anew."
+    if not runs() or not set(unlike_records(VENV)) <= set(found["unlike"]):
+        return "The environment is damaged; making it again."
     return ""
 
 
@@ -126,24 +133,17 @@ def set_up() -> None:
             say("environment.txt is older than pyproject.toml; 'python3 lab.py lock' renews it.")
     except (FileNotFoundError, KeyError, ValueError) as error:
         raise Trouble(f"The project is incomplete or damaged, get it afresh: {error}.") from error
-    if not reason_to_build() and read_stamp().get("folder") == str(VENV):
+    if not reason_to_build():
         return  # without the lock, which a folder that can only be read would not give
     with alone():
-        clear_leftovers()
+        for left in VENV.parent.glob(f"{VENV.name}.lab*"):  # by an interrupted set-up
+            if (left / STAMP).exists() and not VENV.exists():
+                left.rename(VENV)
+            shutil.rmtree(left, ignore_errors=True)
         reason = reason_to_build()
         if reason:
             say(reason)
             build()
-        if read_stamp()["folder"] != str(VENV):
-            settle()
-
-
-def clear_leftovers() -> None:
-    """Delete what an interrupted set-up left; what only lacks its place gets it."""
-    for folder in VENV.parent.glob(f"{VENV.name}.lab*"):
-        if (folder / STAMP).exists() and not VENV.exists():
-            folder.rename(VENV)
-        shutil.rmtree(folder, ignore_errors=True)
 
 
 def build() -> None:
@@ -151,17 +151,10 @@ def build() -> None:
     # Nobody else uses these names, not even a step that outlives a lab.py that was killed.
     new, old = (VENV.with_name(f"{VENV.name}.lab{os.getpid()}{end}") for end in ("", ".old"))
     try:
-        make_venv(new)
-        pip = pip_install(str(new / BIN / PYTHON_NAME))
-        # --no-compile: Python compiles a module anyway when it is first used.
-        listed = ["--no-compile", "--progress-bar=off", "--require-hashes", "-r", ENVIRONMENT.name]
-        verify(new, run_step([*pip, *listed]))
-        run_step([*pip, "--no-build-isolation", "--editable", "."])
-        there = (path.relative_to(new).as_posix() for path in site_packages(new).iterdir())
-        contents = [name for name in there if not name.endswith("__pycache__")]
-        stamp = {**wanted_stamp(), "folder": str(new), "contents": contents}
-        unlike = unlike_records(site_packages(new), new / BIN)
-        write(new / STAMP, json.dumps({**stamp, "unlike": unlike}))
+        fill(new, listed(ENVIRONMENT), OWN)
+        settle(new, VENV)
+        stamp = {**wanted_stamp(ENVIRONMENT), "unlike": unlike_records(new)}
+        write(new / STAMP, json.dumps(stamp))
         if VENV.exists():
             VENV.rename(old)
         try:
@@ -174,55 +167,51 @@ def build() -> None:
             shutil.rmtree(folder, ignore_errors=True)
 
 
-def make_venv(folder: Path) -> None:
-    """Create an environment that holds only pip."""
-    for module in ("venv", "ensurepip"):
-        if importlib.util.find_spec(module) is None:
-            raise Trouble(
-                f"This Python lacks its module {module}: install it (on Debian and Ubuntu: "
-                f"sudo apt install python{VERSION}-venv) and run this again."
-            )
-    # lab.py may have been started from the very environment that is to be replaced.
-    python = getattr(sys, "_base_executable", sys.executable)
-    run_step([python, "-m", "venv", "--clear", str(folder)])
-
-
-def site_packages(venv: Path) -> Path:
-    return Path(sysconfig.get_path("purelib", "venv", {"base": str(venv)}))
-
-
-def verify(venv: Path, printed: str) -> None:
-    """Raise a Trouble unless `venv` holds what environment.txt names and pip did not ignore."""
-    installed = metadata.distributions(path=[str(site_packages(venv))])
-    there = {re.sub("[-_.]+", "-", one.name).lower() + "==" + one.version for one in installed}
-    elsewhere = re.findall(r"^Ignoring ([^:\s]+): markers", printed, re.M)  # for other systems
-    wanted = (pin.split()[0] for pin in pins() if pin.split("==")[0] not in elsewhere)
-    lost = [pin for pin in wanted if pin not in there]
-    if lost:
-        raise Trouble(
-            f"pip reports success, but did not put {', '.join(lost)} into {venv}: take target, "
-            "prefix, root and dry-run out of pip's settings (pip config list)."
-        )
-
-
-def settle() -> None:
-    """Let the environment's files name the folders as they are now."""
-    # pip leaves the absolute path of src here, and Pythons before 3.13 misread it if it has
-    # letters outside the system's encoding. A path relative to site-packages has none.
-    packages = site_packages(VENV)
-    write(packages / "driftlab.pth", os.path.relpath(HOME / "src", packages) + "\n")
-    stamp = read_stamp()
-    for script in PYTHON.parent.iterdir():
+def settle(new: Path, place: Path) -> None:
+    """Prepare the files of a new environment for its place, and for other places of the project."""
+    # The absolute path of src is here, and Pythons before 3.13 misread it if it has letters
+    # outside the system's encoding. A path relative to site-packages has none.
+    packages = site_packages(new)
+    write(packages / "driftlab.pth", os.path.relpath(HOME / "src", site_packages(place)) + "\n")
+    for script in (new / BIN).iterdir():
         if script.is_file() and not script.is_symlink():
             text = script.read_bytes()
-            settled = text.replace(os.fsencode(stamp["folder"]), os.fsencode(VENV))
-            if settled != text:
-                # Of a script that is half written the next start would not know what is missing.
-                half = script.with_name(script.name + ".new")
-                half.write_bytes(settled)
-                shutil.copymode(script, half)
-                half.replace(script)
-    write(VENV / STAMP, json.dumps({**stamp, "folder": str(VENV)}))
+            if os.fsencode(new) in text:
+                script.write_bytes(text.replace(os.fsencode(new), os.fsencode(place)))
+
+
+def beside(path: Path, name: str, sees_venv: bool = False) -> Path:
+    """Return the Python of another environment, with the packages of a list.
+
+    It has the book's own package, or it sees all that ``.venv`` has: so the site is built with the
+    packages that the tests run with.
+    """
+    folder = VENV.with_name(f"{VENV.name}-{name}")
+    below = str(site_packages(VENV))
+    stamp = {**wanted_stamp(path, PYPROJECT), "folder": str(folder), "below": below}
+    with alone():
+        if not python_of(folder).exists() or read_stamp(folder) != stamp:
+            say(f"Bringing the packages of {path.relative_to(HOME)} ...")
+            fill(folder, listed(path), *([] if sees_venv else [OWN]))
+            if sees_venv:
+                # Escaped, because Pythons before 3.13 read this file in the system's encoding.
+                line = f"import site; site.addsitedir({below!a})\n"
+                write(site_packages(folder) / "below.pth", line)
+            else:
+                settle(folder, folder)
+            write(folder / STAMP, json.dumps(stamp))
+    return python_of(folder)
+
+
+def of_today(extras: tuple[str, ...]) -> Path:
+    """Return the Python of an environment with the newest packages, which have no list."""
+    folder = VENV.with_name(f"{VENV.name}-newest")
+    with alone():
+        say("Bringing the newest packages ...")
+        fill(folder, ["--only-binary=:all:", "--editable", f".[{','.join(extras)}]"])
+    found = site_packages(folder).glob("*.dist-info")
+    say(", ".join(sorted(path.stem.replace("-", "==", 1) for path in found)))
+    return python_of(folder)
 
 
 @contextmanager

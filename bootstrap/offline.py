@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from packaging.markers import Marker
 
-from bootstrap.environment import ENVIRONMENT
+from bootstrap.installer import ENVIRONMENT
 from bootstrap.steps import VERSION, Trouble, say
 
 

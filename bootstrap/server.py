@@ -1,11 +1,26 @@
-"""Starts JupyterLab on a notebook of the book, for nobody but the user of this computer."""
+"""Starts JupyterLab on a notebook of the book, for nobody but the user of this computer.
+
+JupyterLab, and what runs in it, keep files of their own in the project's folder.
+"""
 
 import os
 import secrets
 import subprocess
 
-from bootstrap.places import own_places
 from bootstrap.steps import HOME, JUPYTER, PYTHON, VENV, Trouble, running, say, surroundings
+
+OWN = HOME / ".jupyter"
+PLACES = {
+    # Which notebooks are trusted; the user's folder of other kernels is not looked into then.
+    "JUPYTER_DATA_DIR": "data",
+    "JUPYTER_RUNTIME_DIR": "runtime",
+    # History, and what is done at each start of a kernel: the book's are all alike.
+    "IPYTHONDIR": "ipython",
+    "MPLCONFIGDIR": "matplotlib",  # a list of the computer's fonts
+}
+"""Variables, and the folders in OWN they name; ~/.jupyter stays, it has the user's settings."""
+SECRET = ("JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR")
+"""Where keys lie: of kernels and trusted notebooks."""
 
 # The token travels in the environment because other users can read command lines. It becomes
 # an argument inside the process because arguments, unlike JUPYTER_TOKEN, also win over a user's
@@ -16,7 +31,7 @@ from bootstrap.steps import HOME, JUPYTER, PYTHON, VENV, Trouble, running, say, 
 # Its standard input is a pipe that lab.py holds and never writes to: it closes when lab.py is gone,
 # killed or not, and nobody would know the address any more. (A console of Windows ends both.)
 SERVER = """\
-import os, signal, sys, threading, zmq
+import os, secrets, signal, sys, threading, zmq
 def end_with_lab_py():
     os.read(0, 1)
     os.kill(os.getpid(), signal.SIGTERM)
@@ -28,6 +43,8 @@ token = os.environ.pop("DRIFTLAB_TOKEN")
 encryption = "auto" if zmq.has("curve") else "disabled"
 options = [
     "--IdentityProvider.token=" + token,
+    # A cookie of an earlier start, or of who has read its file, opens nothing.
+    "--ServerApp.cookie_secret=" + secrets.token_hex(32),
     "--MappingKernelManager.transport_encryption=" + encryption,
 ]
 try:
@@ -78,3 +95,25 @@ def serve(notebook: str, port: int, browser: bool) -> None:
             return
     if code:
         raise Trouble("JupyterLab did not end as it should; its messages above tell why.")
+
+
+def own_places() -> dict[str, str]:
+    """Return the variables that keep files in OWN, but those that the user has set.
+
+    None, if others cannot be kept out of there, as on most sticks, or if it is another user's.
+    What is in HOME is used then, as it is on Windows for what is secret: whom a folder there is
+    open to is not found out.
+    """
+    used = {name: str(OWN / folder) for name, folder in PLACES.items()}
+    try:
+        OWN.mkdir(exist_ok=True)
+        if os.name != "nt":
+            OWN.chmod(0o700)
+            found = OWN.stat()
+            if found.st_uid != os.geteuid() or found.st_mode & 0o077:
+                return {}
+    except OSError:
+        return {}
+    if os.name == "nt":
+        used = {name: folder for name, folder in used.items() if name not in SECRET}
+    return {name: folder for name, folder in used.items() if name not in os.environ}

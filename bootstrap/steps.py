@@ -1,4 +1,4 @@
-"""Runs the steps of the set-up and everything else, and tells in words what went wrong."""
+"""Runs the steps of a set-up and everything else, and says in one sentence what went wrong."""
 
 import os
 import re
@@ -15,44 +15,38 @@ HOME = Path(__file__).resolve().parents[1]
 VENV = (HOME / ".venv").resolve()  # it may be a link to a disk with more room
 BIN, PYTHON_NAME = ("Scripts", "python.exe") if os.name == "nt" else ("bin", "python")
 PYTHON = VENV / BIN / PYTHON_NAME
-JUPYTER = HOME / "bootstrap/jupyter"  # how the book's JupyterLab is set; the user's settings win
-LOG = HOME / ".setup.log"  # what the latest step of the set-up printed
+JUPYTER = HOME / "bootstrap/jupyter"  # settings of the book's JupyterLab; the user's win
+LOG = HOME / ".setup.log"  # the output of the latest step of a set-up
 VERSION = f"{sys.version_info[0]}.{sys.version_info[1]}"
 
 AGAIN = "and run this again; that is safe."
 DISK_FULL = "The disk is full: free some space (a set-up takes up to 2 GB) and run this again."
-NO_INDEX = (
-    "What answers is not the package index: log in if this network asks for it in a browser, or "
-    f"check pip's settings (pip config list), {AGAIN}"
-)
-SYMPTOMS = {  # in the output of a failed step; the first that is found counts
+SYMPTOMS = {  # in the output of a failed step of uv or pip; the first that is found counts
     r"No space left on device|not enough space on the disk": DISK_FULL,
-    r"DO NOT MATCH THE HASHES[^\n]*\n\s+(\S+)": (
-        f"What came as {{}} is not what environment.txt names: check the connection {AGAIN}"
+    r"DO NOT MATCH THE HASHES[^\n]*\n\s+(\S+)|Hash mismatch for `([^`]+)": (
+        f"The package {{}} differs from its entry in environment.txt: check the connection {AGAIN}"
     ),
-    r"CERTIFICATE_VERIFY_FAILED": NO_INDEX,
-    r"(\d{3} (?:Client|Server) Error[^\n]*|too many \d+ error responses)": (
+    r"not yet valid|has expired|NotValidYet|certificate: Expired": (
+        "The certificate of the package index is not valid today: check the date of this "
+        f"computer {AGAIN}"
+    ),
+    r"CERTIFICATE_VERIFY_FAILED|invalid peer certificate": (
+        "The certificate of the package index is not trusted: log in if this network asks for it "
+        f"in a browser, or check pip's settings (pip config list), {AGAIN}"
+    ),
+    r"(\d{3} (?:Client|Server) Error[^\n]*|too many \d+ error responses)"
+    r"|credentials \((\d{3} [^)]*)|status (?:client|server) error \(([^)]*)": (
         f'The package index answers "{{}}": check pip\'s settings (pip config list) {AGAIN}'
     ),
-    r"connection broken|Max retries exceeded|timed out": (
+    r"connection broken|Max retries exceeded|timed out|error sending request|dns error": (
         "The package index cannot be reached: check the network connection (and the proxy, if "
         f"there is one) {AGAIN}"
     ),
+    r"No matching distribution found for ([^\s;]+)": (
+        f"The package index has no ready-made {{}} for this computer and Python {VERSION}: check "
+        "the connection and pip's settings (pip config list)."
+    ),
 }
-
-# A step of the set-up starts others: venv starts ensurepip, pip builds. This runs it in a group of
-# their own and ends them all, should lab.py ask for it or be gone: its end of the pipe then closes.
-TOGETHER = """\
-import os, signal, subprocess, sys, threading
-def end(*_):
-    os.killpg(0, signal.SIGKILL)
-def end_with_lab_py():
-    os.read(0, 1)
-    end()
-signal.signal(signal.SIGTERM, end)
-threading.Thread(target=end_with_lab_py, daemon=True).start()
-sys.exit(abs(subprocess.call(sys.argv[1:], stdin=subprocess.DEVNULL)))
-"""
 
 
 class Trouble(Exception):
@@ -60,26 +54,24 @@ class Trouble(Exception):
 
 
 class NoPackages(Trouble):
-    """The package index did not give what was asked."""
+    """Packages could not be fetched or installed; it carries what uv or pip printed."""
+
+    output = ""
 
 
 def say(text: str) -> None:
     print(text, flush=True)
 
 
-def surroundings(venv: Path = VENV, **extra: str) -> dict[str, str]:
-    """Return the user's environment variables without those that mislead Python, pip or Jupyter."""
-    misleading = {"PYTHONHOME", "PYTHONPATH", "JUPYTERLAB_DIR"}
-    # pip is told to compile nothing, so each start of a kernel would compile NumPy and all else.
-    misleading.add("PYTHONDONTWRITEBYTECODE")
-    misleading |= {f"PIP_{name}" for name in ("CONSTRAINT", "PREFIX", "PYTHON", "ROOT", "TARGET")}
+def surroundings(venv: Path = VENV) -> dict[str, str]:
+    """Return the user's environment variables without those that mislead Python or Jupyter."""
+    # Nothing is compiled at the set-up: without its cache, each kernel would compile NumPy again.
+    misleading = {"PYTHONHOME", "PYTHONPATH", "PYTHONDONTWRITEBYTECODE", "JUPYTERLAB_DIR"}
     kept = {name: value for name, value in os.environ.items() if name not in misleading}
     before = {"PATH": venv / BIN, "JUPYTER_PATH": venv / "share/jupyter"}
     for name, first in {**before, "JUPYTER_CONFIG_PATH": JUPYTER}.items():
         kept[name] = os.pathsep.join([str(first), *filter(None, [kept.get(name)])])
-    ours = {f"PIP_{name}": "0" for name in ("DRY_RUN", "QUIET", "REQUIRE_HASHES", "USER")}
-    ours.update(PYTHONNOUSERSITE="1", PIP_DISABLE_PIP_VERSION_CHECK="1", VIRTUAL_ENV=str(venv))
-    return {**kept, **ours, **extra}
+    return {**kept, "PYTHONNOUSERSITE": "1", "VIRTUAL_ENV": str(venv)}
 
 
 def catch_signals() -> None:
@@ -91,8 +83,8 @@ def catch_signals() -> None:
 @contextmanager
 def running(command: list[str], **options: Any) -> Iterator["subprocess.Popen[str]"]:
     """Run `command` in the project folder; it does not outlive the ``with`` block."""
-    options.setdefault("env", surroundings())
-    with subprocess.Popen(command, cwd=HOME, **options) as process:
+    options = {"env": surroundings(), "cwd": HOME, **options}
+    with subprocess.Popen(command, **options) as process:
         try:
             yield process
         finally:
@@ -106,32 +98,24 @@ def running(command: list[str], **options: Any) -> Iterator["subprocess.Popen[st
             catch_signals()
 
 
-def run_step(command: list[str]) -> str:
-    """Run a step of the set-up and return what it printed; raise the Trouble it met.
+def run_step(command: list[str], env: dict[str, str] | None = None) -> None:
+    """Run a step of a set-up with its output in the log; raise the Trouble it met.
 
-    What it prints goes to the log; a terminal shows the latest line in place of the one before.
+    A terminal shows the latest line in place of the one before.
     """
     pipe: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
     pipe.update(stdin=subprocess.DEVNULL, encoding="utf-8", errors="replace")
-    step = command
-    if os.name != "nt":
-        step = [sys.executable, "-I", "-S", "-c", TOGETHER, *command]
-        pipe.update(stdin=subprocess.PIPE, start_new_session=True)
     output = ""
-    with LOG.open("w", encoding="utf-8") as log, running(step, **pipe) as process:
+    env = env or surroundings()
+    with LOG.open("w", encoding="utf-8") as log, running(command, env=env, **pipe) as process:
         for line in process.stdout or ():
             output += line
             print(line, end="", file=log, flush=True)
             show(line.strip())
-            if line.startswith("Installing collected packages") and "," in line:
-                # Nothing more comes from pip until they are all there.
-                show("")
-                say(f"Installing {line.count(',') + 1} packages; this may take a minute.")
         show("")
         code = process.wait()
     if code:
-        raise diagnosis(output, command[0])
-    return output
+        raise diagnosis(output)
 
 
 def show(text: str) -> None:
@@ -141,33 +125,15 @@ def show(text: str) -> None:
         print(f"\r{text:{width}.{width}}\r", end="", flush=True)
 
 
-def diagnosis(output: str, python: str) -> Trouble:
-    """Return the Trouble that the output of a failed step tells of."""
+def diagnosis(output: str) -> Trouble:
+    """Return the Trouble that the output of failed steps tells of."""
+    trouble = NoPackages(f"The set-up failed; {LOG} tells why.")
     for pattern, sentence in SYMPTOMS.items():
         found = re.search(pattern, output, re.I)
         if found:
-            kind = Trouble if sentence is DISK_FULL else NoPackages
-            return kind(sentence.format(*found.groups()))
-    missing = re.search(r"No matching distribution found for ([^\s;]+)", output)
-    if not missing:
-        return Trouble(f"The set-up failed; {LOG} tells why.")
-    # pip prints the same if the index refuses or is none. Asked for one package, it tells more.
-    ask = [*pip_install(python), "--dry-run", "-vv", missing[1]]
-    told = subprocess.run(ask, env=surroundings(), capture_output=True).stdout.decode(
-        "utf-8", "replace"
-    )
-    refusal = re.search(r"Could not fetch URL (?!.*\b404 Client Error).*", told)
-    if refusal:
-        return diagnosis(refusal[0], python)
-    if not re.search(r"404 Client Error|Found link|Skipping link(?!: not a file)", told):
-        return NoPackages(NO_INDEX)
-    return NoPackages(
-        f"The package index has no ready-made {missing[1]} for this computer and Python {VERSION} "
-        f"({LOG.name} tells more)."
-    )
-
-
-def pip_install(python: str) -> list[str]:
-    # --only-binary: building from source would fetch tools that environment.txt does not pin.
-    options = ["--no-deps", "--no-input", "--retries=2", "--only-binary=:all:"]
-    return [python, "-m", "pip", "install", *options]
+            if sentence is DISK_FULL:
+                return Trouble(sentence)
+            trouble = NoPackages(sentence.format(*filter(None, found.groups())))
+            break
+    trouble.output = output or "nothing"
+    return trouble

@@ -6,10 +6,12 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from bootstrap import offline, student, teaching
+import student
+from bootstrap import offline
 from bootstrap.steps import Trouble
 from packaging.specifiers import SpecifierSet
 
+import lab
 from support import ROOT
 
 FOLDER = ROOT / "deployment"
@@ -81,4 +83,4 @@ def test_what_cannot_be_fetched_is_refused(arguments: list[str], says: str, tmp_
 def test_wheels_need_a_folder() -> None:
     for arguments in ([], ["--system", "windows"]):
         with pytest.raises(Trouble, match="Say where to put them"):
-            teaching.wheels(arguments)
+            lab.wheels(arguments)

@@ -50,7 +50,8 @@ def copied(tmp_path: Path) -> Path:
     shutil.copytree(
         ROOT / "bootstrap", tmp_path / "bootstrap", ignore=shutil.ignore_patterns("__pycache__")
     )
-    for name in ("lab.py", "release/release.toml", "src/driftlab/__init__.py", *WRITTEN):
+    read = ("lab.py", "release/release.toml", "release/write.py", "src/driftlab/__init__.py")
+    for name in (*read, *WRITTEN):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(ROOT / name, tmp_path / name)
     return tmp_path

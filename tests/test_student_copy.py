@@ -11,7 +11,7 @@ from pathlib import Path, PurePosixPath
 
 import pytest
 from bootstrap.steps import HOME, Trouble
-from bootstrap.student import LINK, NAME, student_files, without_links, write_student_copy
+from student import LINK, NAME, student_files, without_links, write_student_copy
 
 from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import hints_of

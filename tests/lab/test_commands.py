@@ -1,8 +1,6 @@
 """What the commands run."""
 
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
 
@@ -35,10 +33,9 @@ def test_help_knows_every_command_once(capsys: pytest.CaptureFixture[str]) -> No
     pages = said(lab, capsys, "help") + said(lab, capsys, "help", "developers")
     assert sorted(re.findall(r"^  (\w+) ", pages, re.MULTILINE)) == sorted(lab.COMMANDS)
     for name in lab.COMMANDS:
-        first, *options = said(lab, capsys, "help", name).splitlines()
+        first, *rest = said(lab, capsys, "help", name).splitlines()
         assert first.startswith(f"  {name} ")
-        assert first in pages
-        assert all(line.startswith(14 * " ") for line in options)
+        assert all(line.startswith(12 * " ") for line in rest)
     with pytest.raises(Exception, match='There is no command "nothing"; there are open, '):
         lab.main(["help", "nothing"])
 
@@ -82,31 +79,31 @@ def test_arguments_of_test_go_to_pytest_alone(checks: SimpleNamespace) -> None:
     assert checks.ran[1][2:] == [*checks.lab.QUICK, "-x"]
 
 
-def test_the_benchmark_fetches_its_peers_and_goes_on_without(
-    checks: SimpleNamespace, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize("works", [True, False])
+def test_programs_to_compare_with_are_fetched_within_the_pins(
+    checks: SimpleNamespace,
+    works: bool,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    failing = checks.lab.run
-    monkeypatch.setattr(checks.lab, "run", lambda *words: failing(*words) + int("pip" in words))
+    fetched: list[str] = []
+
+    def run_step(command: list[str], env: dict[str, str]) -> None:
+        fetched.extend(command)
+        if not works:
+            raise checks.lab.NoPackages("There is no network.")
+
+    monkeypatch.setattr(checks.lab, "installers", lambda folder: iter([(["uv"], {})]))
+    monkeypatch.setattr(checks.lab, "run_step", run_step)
     assert checks.lab.main(["bench", "filter", "--repeats", "5"]) == 0
-    fetched, measured = checks.ran
     peers = {"python-ins", "ahrs", "numpy-quaternion", "filterpy", "navtk"}
     assert peers <= {word.split()[0] for word in fetched}
     assert any(word.startswith("numpy==") for word in fetched)  # the pins stay
-    assert measured == ["benchmarks/bench.py", "filter", "--repeats", "5"]
-    assert capsys.readouterr().out == "Going on without the packages to compare with.\n"
-
-
-def test_peers_are_fetched_within_the_pins_and_asked(
-    checks: SimpleNamespace, capsys: pytest.CaptureFixture[str]
-) -> None:
+    assert checks.ran == [["benchmarks/bench.py", "filter", "--repeats", "5"]]
+    assert capsys.readouterr().out.endswith("compare with.\n") == (not works)
     assert checks.lab.main(["peers"]) == 0
-    *fetched, asked = checks.ran
-    of_each = "python-ins", "distributed", "polars"
-    for command, name in zip(fetched, of_each, strict=True):
-        assert name in {word.split()[0] for word in command}
-        assert any(word.startswith("numpy==") for word in command)  # the pins stay
-    assert asked == ["-m", "pytest", "benchmarks"]
-    assert capsys.readouterr().out == ""
+    assert {"distributed", "polars"} <= {word.split()[0] for word in fetched}
+    assert checks.ran[-1] == ["-m", "pytest", "benchmarks"]
 
 
 @pytest.mark.parametrize("option", ["-h", "--help"])
@@ -116,49 +113,31 @@ def test_who_asks_for_help_fetches_nothing(option: str, checks: SimpleNamespace)
     assert asked[1:] == [option]
 
 
-def test_the_paths_of_a_class_are_seen_from_where_the_caller_is(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_paths_of_a_class_are_seen_from_where_the_caller_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, checks: SimpleNamespace
 ) -> None:
-    lab = load(ROOT).lab
-    globals_ = lab.COMMANDS["class"].__globals__
-    asked: list[list[str]] = []
+    seen: list[object] = []
 
-    @contextmanager
-    def running(command: list[str]) -> Iterator[SimpleNamespace]:
-        asked.append(command)
-        yield SimpleNamespace(wait=lambda: 1)
+    def run(*arguments: str, cwd: Path) -> int:
+        seen.extend([cwd, *arguments[-3:]])
+        return 0
 
-    monkeypatch.setitem(globals_, "running", running)
-    monkeypatch.setitem(globals_, "set_up", lambda: None)
+    monkeypatch.setattr(checks.lab, "run", run)
     monkeypatch.chdir(tmp_path)
-    assert lab.main(["class", "mine", "--chapters", "03,04"]) == 1
-    here = Path.cwd()
-    assert asked[0][-4:] == ["class", str(here / "mine"), "--chapters", "03,04"]
-    lab.main(["class", "mine", "--chapters=03", "-oout", "--output=b=c"])
-    assert asked[1][-3:] == ["--chapters=03", f"-o{here / 'out'}", f"--output={here / 'b=c'}"]
-    with pytest.raises(globals_["Trouble"], match="Say what to read"):
-        lab.main(["class"])
+    checks.lab.main(["class", "mine", "--output=there"])
+    assert seen == [Path.cwd(), "class", "mine", "--output=there"]
+    with pytest.raises(checks.lab.Trouble, match="Say what to read"):
+        checks.lab.main(["class"])
 
 
 def test_the_quick_tests_run_with_the_oldest_packages(
     checks: SimpleNamespace, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    ran: list[list[str]] = []
-
-    @contextmanager
-    def running(command: list[str], env: dict[str, str]) -> Iterator[SimpleNamespace]:
-        assert env["VIRTUAL_ENV"] == "there"
-        assert not env["JUPYTER_PATH"].startswith(str(ROOT))
-        ran.append(command)
-        yield SimpleNamespace(wait=lambda: 1)
-
-    monkeypatch.setattr(checks.lab, "apart", lambda listed: Path("there/bin/old"))
-    monkeypatch.setattr(checks.lab, "running", running)
-    assert checks.lab.main(["lowest"]) == 1
-    assert checks.lab.main(["lowest", "tests/drift"]) == 1
-    whole, chosen = ran
-    assert whole[:3] == [str(Path("there/bin/old")), "-m", "pytest"]
+    monkeypatch.setattr(checks.lab, "beside", lambda path, name: Path("there/bin/old"))
+    for arguments in (["lowest"], ["lowest", "tests/drift"]):
+        assert checks.lab.main(arguments) == 0
+    whole, chosen = checks.ran
     assert {*checks.lab.QUICK, *checks.lab.AT_ONCE} <= set(whole)
+    assert set(checks.lab.QUICK) <= set(chosen)
     assert chosen[-1] == "tests/drift"
     assert "loadgroup" not in chosen
-    assert set(checks.lab.QUICK) <= set(chosen)

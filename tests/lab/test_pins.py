@@ -1,7 +1,10 @@
 """Which packages lab.py brings: the lists agree with pyproject.toml and with each other."""
 
 import re
+from pathlib import Path
+from types import SimpleNamespace
 
+import pytest
 from packaging.requirements import Requirement
 from tiny_project import ROOT, load
 
@@ -50,3 +53,42 @@ def test_binder_pins_what_environment_txt_pins_and_no_jupyter() -> None:
     python = (ROOT / ".binder/runtime.txt").read_text("utf-8").strip()
     tried = "Programming Language :: Python :: " + python.removeprefix("python-")
     assert tried in about["classifiers"]
+
+
+def test_a_lock_that_fails_leaves_environment_txt(
+    checks: SimpleNamespace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = (ROOT / "environment.txt").read_bytes()
+    monkeypatch.setattr(checks.lab, "run", lambda *words: 2)
+    with pytest.raises(checks.lab.Trouble, match=r"environment\.txt stays as it is"):
+        checks.lab.main(["lock"])
+    assert (ROOT / "environment.txt").read_bytes() == before
+
+
+def test_a_lock_writes_all_lists(tiny: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    modules = load(tiny)
+    (tiny / "site").mkdir()
+    with (tiny / "pyproject.toml").open("a", encoding="utf-8") as file:
+        file.write('[project.optional-dependencies]\nsite = ["furo"]\nbook = ["sympy"]\n')
+    pins = {"environment.new": "numpy==2.0 \\\n    --hash=sha256:ab\n"}
+    pins["site/packages.new"] = (
+        f"furo==1 ; sys_platform \\\n    --hash=sha256:cd\n{pins['environment.new']}"
+    )
+
+    def resolve(*words: str) -> int:
+        if "lowest-direct" in words:
+            pins[Path(words[-1]).as_posix()] = "sympy==1.13\n"
+        (tiny / words[-1]).write_text(pins[Path(words[-1]).as_posix()], "utf-8")
+        return 0
+
+    monkeypatch.setattr(modules.lab, "run", resolve)
+    monkeypatch.setattr(modules.lab, "set_up", lambda: None)
+    assert modules.lab.main(["lock"]) == 0
+    assert modules.environment.pins() == ["numpy==2.0"]
+    written = (tiny / "environment.txt").read_text("utf-8")
+    assert written.startswith(modules.environment.lock_line())
+    assert (tiny / "bootstrap/lowest.txt").read_text("utf-8").endswith("\nsympy==1.13\n")
+    first, *rest = (tiny / "site/packages.txt").read_text("utf-8").splitlines()
+    assert first.startswith("# ")
+    assert rest == ["furo==1 ; sys_platform \\", "    --hash=sha256:cd"]
+    assert not list(tiny.rglob("*.new"))

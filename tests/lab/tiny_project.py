@@ -11,8 +11,7 @@ import time
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType, SimpleNamespace
-from typing import Any
+from types import SimpleNamespace
 
 ROOT = Path(__file__).resolve().parents[2]
 NO_INDEX = {  # a port where nobody listens, whatever pip is configured to use otherwise
@@ -21,8 +20,10 @@ NO_INDEX = {  # a port where nobody listens, whatever pip is configured to use o
     "PIP_FIND_LINKS": "",
     "PIP_CONFIG_FILE": os.devnull,
 }
-# A project that lab.py can set up in seconds and without a network: no packages, a build backend
-# that makes by hand what flit makes of the real one, and a JupyterLab that ends at once.
+# The tests' own uv is the user's.
+WITH_UV = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
+# No packages, a build backend that makes by hand what flit makes of the real project, and a
+# JupyterLab that ends at once.
 TINY_PYPROJECT = """\
 [build-system]
 requires = []
@@ -71,14 +72,12 @@ class LabApp:
     def start():
         pass
 """
-
-
-PARTS = ("environment", "steps", "copies", "beside", "places", "records", "release", "server")
+PARTS = ("environment", "steps", "copies", "installer", "server")
 
 
 def load(folder: Path) -> SimpleNamespace:
-    """Import lab.py of a folder and what it consists of; no other folder's is mixed in."""
-    before = taken_out_of_memory()
+    """Import lab.py of a folder and its parts; no other folder's is mixed in."""
+    before = forget()
     sys.path.insert(0, str(folder))
     try:
         spec = importlib.util.spec_from_file_location("lab", folder / "lab.py")
@@ -86,35 +85,29 @@ def load(folder: Path) -> SimpleNamespace:
         spec.loader.exec_module(lab)
         parts = {name: importlib.import_module(f"bootstrap.{name}") for name in PARTS}
     finally:
-        while str(folder) in sys.path:
-            sys.path.remove(str(folder))
-        taken_out_of_memory()
+        sys.path[:] = [path for path in sys.path if path != str(folder)]
+        forget()
         sys.modules.update(before)
     return SimpleNamespace(lab=lab, **parts)
 
 
-def taken_out_of_memory() -> dict[str, ModuleType]:
+def forget() -> dict[str, object]:
     """Let Python forget the modules of lab.py."""
     names = [name for name in sys.modules if name.partition(".")[0] == "bootstrap"]
     return {name: sys.modules.pop(name) for name in names}
 
 
-def command(folder: Path, *arguments: str) -> list[str]:
-    return [sys.executable, str(folder / "lab.py"), *arguments]
+def command(folder: Path, *arguments: str, python: str = sys.executable) -> list[str]:
+    return [python, str(folder / "lab.py"), *arguments]
 
 
 def run(folder: Path, *arguments: str, **variables: str | None) -> SimpleNamespace:
-    """Run lab.py from a directory that is not its own; no traceback may appear.
-
-    Variables are set besides those of this process; None takes one away.
-    """
-    return run_as(command(folder, *arguments), **variables)
+    """Run lab.py from a directory that is not its own, without an index; see `run_as`."""
+    return run_as(command(folder, *arguments), **{**NO_INDEX, "PATH": WITH_UV, **variables})
 
 
-def run_as(
-    called: list[str], options: dict[str, Any] | None = None, **variables: str | None
-) -> SimpleNamespace:
-    """Run lab.py by a command line of one's own, and with options of subprocess."""
+def run_as(called: list[str], **variables: str | None) -> SimpleNamespace:
+    """Run a command; no traceback may appear. A variable that is None is taken away."""
     environment = {**os.environ, **variables}
     done = subprocess.run(
         called,
@@ -123,7 +116,6 @@ def run_as(
         capture_output=True,
         encoding="utf-8",
         timeout=900,
-        **(options or {}),
     )
     assert "Traceback" not in done.stderr, done.stderr
     return SimpleNamespace(code=done.returncode, said=done.stdout, complained=done.stderr.strip())
@@ -135,9 +127,8 @@ def make_tiny(folder: Path) -> Path:
     (folder / "notebooks").mkdir()
     (folder / "notebooks/00_start_here.ipynb").write_text('{"cells": [], "metadata": {}}', "utf-8")
     shutil.copy(ROOT / "lab.py", folder)
-    shutil.copytree(
-        ROOT / "bootstrap", folder / "bootstrap", ignore=shutil.ignore_patterns("__pycache__")
-    )
+    unwanted = shutil.ignore_patterns("__pycache__")
+    shutil.copytree(ROOT / "bootstrap", folder / "bootstrap", ignore=unwanted)
     (folder / "pyproject.toml").write_text(TINY_PYPROJECT, "utf-8")
     (folder / "backend.py").write_text(TINY_BACKEND, "utf-8")
     (folder / "src/driftlab/book.py").write_text("print('figures drawn')\n", "utf-8")
@@ -145,12 +136,6 @@ def make_tiny(folder: Path) -> Path:
     (folder / "src/zmq.py").write_text("def has(feature):\n    return True\n", "utf-8")
     (folder / "environment.txt").write_text(load(folder).environment.lock_line(), "utf-8")
     return folder
-
-
-def without_folders_of_its_own() -> dict[str, str]:
-    """The variables of this process but those that lead programs to folders beside HOME."""
-    places = ("JUPYTER", "XDG_", "IPYTHONDIR", "MPLCONFIGDIR")
-    return {name: value for name, value in os.environ.items() if not name.startswith(places)}
 
 
 def comes_true(condition: Callable[[], object], seconds: float = 60) -> bool:
@@ -184,23 +169,19 @@ def make_wheel(folder: Path) -> str:
     """Put the package sixth-sense into a folder; return its line of environment.txt."""
     path = folder / "sixth_sense-1.0-py3-none-any.whl"
     head = "sixth_sense-1.0.dist-info/"
+    about = {
+        "sixth_sense.py": "sense = 6\n",
+        head + "METADATA": "Metadata-Version: 2.1\nName: sixth-sense\nVersion: 1.0\n",
+        head + "WHEEL": "Wheel-Version: 1.0\nTag: py3-none-any\nRoot-Is-Purelib: true\n",
+        head + "RECORD": "sixth_sense.py,,10\n",
+    }
     with zipfile.ZipFile(path, "w") as wheel:
-        wheel.writestr("sixth_sense.py", "")
-        wheel.writestr(
-            head + "METADATA", "Metadata-Version: 2.1\nName: sixth_sense\nVersion: 1.0\n"
-        )
-        wheel.writestr(
-            head + "WHEEL", "Wheel-Version: 1.0\nTag: py3-none-any\nRoot-Is-Purelib: true\n"
-        )
-        wheel.writestr(head + "RECORD", "")
+        for name, text in about.items():
+            wheel.writestr(name, text)
     digest = hashlib.sha256(path.read_bytes()).hexdigest()
     return f"sixth-sense==1.0 ; python_version > '3' \\\n    --hash=sha256:{digest}\n"
 
 
-def copy_of(folder: Path, copy: Path) -> Path:
-    """Copy a project or its environment; packages, which nobody writes to, are linked."""
-
-    def copy_file(source: str, target: str) -> None:
-        (os.link if "site-packages" in source else shutil.copy2)(source, target)
-
-    return shutil.copytree(folder, copy, symlinks=True, copy_function=copy_file)
+def sense(folder: Path) -> list[Path]:
+    """Where the package sixth-sense is installed."""
+    return [*folder.glob(".venv/**/sixth_sense.py")]

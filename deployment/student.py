@@ -1,4 +1,4 @@
-"""Packs a copy of the book for a class: without solutions, answers and what is for teachers.
+"""Packs a copy of the book for a class, without solutions and answers, for ``lab.py student``.
 
 What a student's kernel must compute with, the package, has to be in it, and with it what is right
 in each exercise: whoever reads the source finds it. Left out is what shows it ready to read.
@@ -6,10 +6,13 @@ in each exercise: whoever reads the source finds it. Left out is what shows it r
 
 import json
 import re
+import sys
 import zipfile
 from collections.abc import Iterator
 from itertools import chain
 from pathlib import Path, PurePosixPath
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 
 from bootstrap.steps import HOME, Trouble, say
 
@@ -110,3 +113,10 @@ def _notebook(text: str, folder: PurePosixPath, known: set[str]) -> str:
             source = without_links("".join(cell["source"]), folder, known)
             cell["source"] = source.splitlines(keepends=True)
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
+
+
+if __name__ == "__main__":
+    try:
+        write_student_copy(Path(*sys.argv[1:]))
+    except Trouble as trouble:
+        sys.exit(str(trouble))

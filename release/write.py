@@ -1,4 +1,4 @@
-"""Writes what must agree in many places about a version, from release/release.toml.
+"""Writes what must agree in many places about a version: ``python3 lab.py release`` runs this.
 
 The version itself is in ``src/driftlab/__init__.py``, dependencies and words in pyproject.toml.
 Words are written as JSON writes them, which is YAML, too.
@@ -6,13 +6,16 @@ Words are written as JSON writes them, which is YAML, too.
 
 import json
 import re
+import sys
 import tomllib
 from collections.abc import Iterator
 from datetime import date
 from pathlib import Path
 from typing import Any
 
-from bootstrap.environment import PYPROJECT, project
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+
+from bootstrap.environment import PYPROJECT, project, write
 from bootstrap.steps import HOME, Trouble
 
 RELEASE = HOME / "release/release.toml"
@@ -158,3 +161,12 @@ def recipe(found: dict[str, Any]) -> Iterator[str]:
         if url:
             yield f"  {name}: {quoted(url)}"
     yield f"extra:\n  recipe-maintainers: {quoted(found['conda_maintainers'])}"
+
+
+if __name__ == "__main__":
+    try:
+        for path, text in written().items():
+            write(path, text)
+    except Trouble as trouble:
+        sys.exit(str(trouble))
+    print(f"Written for version {version()}; release/README.md says what comes next.")

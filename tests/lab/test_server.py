@@ -1,7 +1,8 @@
-"""What JupyterLab and its kernels keep lies in the project's folder, and nothing in HOME."""
+"""JupyterLab is private, keeps its files in the project's folder, and ends with lab.py."""
 
 import json
 import os
+import signal
 import socket
 import subprocess
 import sys
@@ -10,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from jupyter_client import BlockingKernelClient
-from tiny_project import comes_true, is_alive, load, make_tiny, without_folders_of_its_own
+from tiny_project import comes_true, command, is_alive, load, make_tiny, run
 
 # It opens the project with the Python of the tests, whose JupyterLab is a real one.
 OPEN = """
@@ -21,6 +22,18 @@ from bootstrap import server, steps
 server.PYTHON = Path(sys.executable)
 steps.catch_signals()
 server.serve("notebooks/00_start_here.ipynb", 0, browser=False)
+"""
+# It leaves the number of its process and waits for a stop, as JupyterLab does.
+WAITING_JUPYTERLAB = """
+def start():
+    import os, signal, time
+    signal.signal(signal.SIGTERM, lambda *_: (print("in order", flush=True), os._exit(0)))
+    with open("number.new", "w") as file:
+        file.write(str(os.getpid()))
+    os.rename("number.new", "number")
+    time.sleep(600)
+
+LabApp.start = start
 """
 IN_A_KERNEL = """
 import IPython, matplotlib
@@ -77,7 +90,9 @@ def test_home_stays_empty_and_a_killed_lab_py_takes_jupyterlab_along(
         home.mkdir()
     else:
         home.write_text("a file, so that there can be none", "utf-8")
-    environment = {**without_folders_of_its_own(), "HOME": str(home)}
+    places = ("JUPYTER", "XDG_", "IPYTHONDIR", "MPLCONFIGDIR")
+    environment = {name: value for name, value in os.environ.items() if not name.startswith(places)}
+    environment["HOME"] = str(home)
     call = [sys.executable, "-c", OPEN, str(folder)]
     with subprocess.Popen(call, env=environment, stdout=subprocess.PIPE, text=True) as process:
         try:
@@ -90,6 +105,7 @@ def test_home_stays_empty_and_a_killed_lab_py_takes_jupyterlab_along(
             runtime = folder / ".jupyter/runtime"
             places = places_of_a_kernel(runtime / f"kernel-{kernel['id']}.json")
             (running,) = runtime.glob("jpserver-*.json")
+            assert not (runtime / "jupyter_cookie_secret").exists(), "it is new at each start"
             server = json.loads(running.read_text("utf-8"))["pid"]
             assert seen_by_others(token.partition("=")[2]) == []
             with pytest.raises(OSError):  # noqa: PT011 - refused or without a route, by system
@@ -104,7 +120,7 @@ def test_home_stays_empty_and_a_killed_lab_py_takes_jupyterlab_along(
 
 
 def test_places_that_the_user_has_set_stay(tiny: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    places = load(tiny).places
+    places = load(tiny).server
     for name in places.PLACES:
         monkeypatch.delenv(name, raising=False)
     expected = {
@@ -122,7 +138,7 @@ def test_keys_lie_in_no_folder_that_others_can_read(
     tiny: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As on a stick, where rights cannot be changed; or the folder is another user's."""
-    places = load(tiny).places
+    places = load(tiny).server
     places.OWN.mkdir(mode=0o755)
     assert places.own_places() != {}
     assert places.OWN.stat().st_mode & 0o777 == 0o700
@@ -134,12 +150,32 @@ def test_keys_lie_in_no_folder_that_others_can_read(
     assert places.own_places() == {}
 
 
-def test_a_folder_that_can_only_be_read_has_no_places(
-    tiny: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def fails(path: Path, *_: object, **__: object) -> None:
-        raise PermissionError(13, "Permission denied", str(path))
+@pytest.mark.setup
+@pytest.mark.skipif(os.name == "nt", reason="a console of Windows ends it")
+@pytest.mark.parametrize("end", ["SIGTERM", "SIGHUP"])
+def test_jupyterlab_ends_in_order(copied: Path, end: str) -> None:
+    with (copied / "src/jupyterlab/labapp.py").open("a", encoding="utf-8") as file:
+        file.write(WAITING_JUPYTERLAB)
+    call = command(copied, "--no-browser")
+    with subprocess.Popen(call, stdout=subprocess.PIPE, encoding="utf-8") as process:
+        assert comes_true((copied / "number").exists)
+        server = int((copied / "number").read_text("utf-8"))
+        process.send_signal(getattr(signal, end))
+        assert comes_true(lambda: not is_alive(server), 20)
+        assert "in order" in process.stdout.read()
 
-    places = load(tiny).places
-    monkeypatch.setattr(Path, "mkdir", fails)
-    assert places.own_places() == {}
+
+def test_what_jupyterlab_cannot_write_is_named(copied: Path) -> None:
+    (copied / "nowhere").write_text("", "utf-8")
+    done = run(copied, "open", "--no-browser", JUPYTER_RUNTIME_DIR=str(copied / "nowhere"))
+    assert done.code == 1
+    assert "nowhere" in done.complained
+    assert len(done.complained.splitlines()) == 2
+
+
+def test_a_port_in_use(tiny: Path) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        done = run(tiny, "--no-browser", "--port", str(port))
+    assert done.code == 1
+    assert done.complained.startswith(f"Port {port} cannot be had")
