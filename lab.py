@@ -11,6 +11,8 @@ import socket
 import sys
 import textwrap
 import time
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 # Old Pythons read this file too, so its syntax stays that of Python 3.6 and they stop here.
@@ -155,18 +157,9 @@ def test(arguments: list[str]) -> int:
     return max(codes.values())
 
 
-def lowest(arguments: list[str]) -> int:
-    """Run the quick tests in an environment of the oldest packages that are allowed."""
-    return quick_tests(beside(LOWEST_LIST, "lowest"), arguments)
-
-
-def newest(arguments: list[str]) -> int:
-    """Run the quick tests in an environment of the newest packages that are allowed."""
-    return quick_tests(of_today(NEWEST_EXTRAS), arguments)
-
-
-def quick_tests(python: Path, arguments: list[str]) -> int:
+def quick_tests(environment: Callable[[], Path], arguments: list[str]) -> int:
     """Run the quick tests, or some of them, in an environment whose packages are of another age."""
+    python = environment()
     asked = [*QUICK, *OF_DIFFERENT_AGE, *(arguments or AT_ONCE)]
     return run("-m", "pytest", *asked, python=python, venv=python.parents[1])
 
@@ -207,21 +200,6 @@ def fetch(extra: str) -> None:
             run_step([*command, "--only-binary=:all:", *wanted, *pins()], env)
         except NoPackages as trouble:
             say(f"{trouble}\nGoing on without the packages to compare with.")
-
-
-def site(arguments: list[str]) -> int:
-    """Build the site in an environment of its own; a warning is an error."""
-    return by_site_tools("site/build.py", arguments)
-
-
-def print_(arguments: list[str]) -> int:
-    """Print chapters, or the whole book, as PDF in _print."""
-    return by_site_tools("site/paper.py", arguments)
-
-
-def slides(arguments: list[str]) -> int:
-    """Make the slides of some chapters, or of all."""
-    return by_site_tools("site/slides/make.py", arguments)
 
 
 def by_site_tools(name: str, arguments: list[str]) -> int:
@@ -299,18 +277,18 @@ def expect_none(arguments: list[str]) -> None:
         raise Trouble(f"This command takes no arguments; there came: {' '.join(arguments)}.")
 
 
-COMMANDS = {
+COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "open": open_book,
     "fresh": fresh,
     "test": test,
-    "lowest": lowest,
-    "newest": newest,
+    "lowest": partial(quick_tests, partial(beside, LOWEST_LIST, "lowest")),
+    "newest": partial(quick_tests, partial(of_today, NEWEST_EXTRAS)),
     "figures": figures,
     "bench": bench,
     "peers": peers,
-    "site": site,
-    "slides": slides,
-    "print": print_,
+    "site": partial(by_site_tools, "site/build.py"),  # where a warning is an error
+    "slides": partial(by_site_tools, "site/slides/make.py"),
+    "print": partial(by_site_tools, "site/paper.py"),
     "class": class_report,
     "student": student,
     "wheels": wheels,

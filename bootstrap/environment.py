@@ -19,6 +19,7 @@ import tomllib
 from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -208,7 +209,9 @@ def of_today(extras: tuple[str, ...]) -> Path:
     folder = VENV.with_name(f"{VENV.name}-newest")
     with alone():
         say("Bringing the newest packages ...")
-        fill(folder, ["--only-binary=:all:", "--editable", f".[{','.join(extras)}]"])
+        about = project()["project"]
+        lists = (about["optional-dependencies"][extra] for extra in extras)
+        fill(folder, ["--only-binary=:all:", *chain(about["dependencies"], *lists)], OWN)
     found = site_packages(folder).glob("*.dist-info")
     say(", ".join(sorted(path.stem.replace("-", "==", 1) for path in found)))
     return python_of(folder)

@@ -130,12 +130,9 @@ def test_paths_of_a_class_are_seen_from_where_the_caller_is(
         checks.lab.main(["class"])
 
 
-def test_the_quick_tests_run_with_the_oldest_packages(
-    checks: SimpleNamespace, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(checks.lab, "beside", lambda path, name: Path("there/bin/old"))
-    for arguments in (["lowest"], ["lowest", "tests/drift"]):
-        assert checks.lab.main(arguments) == 0
+def test_the_quick_tests_run_with_packages_of_another_age(checks: SimpleNamespace) -> None:
+    for arguments in ([], ["tests/drift"]):
+        assert checks.lab.quick_tests(lambda: Path("there/bin/old"), arguments) == 0
     whole, chosen = checks.ran
     assert {*checks.lab.QUICK, *checks.lab.AT_ONCE} <= set(whole)
     assert set(checks.lab.QUICK) <= set(chosen)

@@ -18,7 +18,7 @@ from pathlib import Path
 
 import pytest
 from jupyter_client import BlockingKernelClient
-from tiny_project import ROOT, command
+from tiny_project import ROOT, WITH_UV, command
 
 
 def copy_of_the_project(folder: Path) -> Path:
@@ -102,7 +102,8 @@ def test_the_book_opens_on_a_machine_that_never_saw_it(tmp_path: Path) -> None:
         "VIRTUAL_ENV": str(tmp_path / "misleading"),
         "CONDA_PREFIX": str(tmp_path / "misleading"),
         "HOME": str(tmp_path / "home"),
-        "PIP_CACHE_DIR": cache_of_pip(),  # the one thing that is kept elsewhere
+        "UV_CACHE_DIR": cache_of_uv(),  # the one thing that is kept elsewhere
+        "PATH": WITH_UV,
     }
     with opened(folder, **variables) as process, opened(folder, **variables) as second:
         base, token = address_of(process)
@@ -132,12 +133,11 @@ def test_the_book_opens_on_a_machine_that_never_saw_it(tmp_path: Path) -> None:
                 assert "Stopping ..." in last
                 assert "Traceback" not in last
             assert not list((tmp_path / "runtime").glob("jpserver-*"))
-    # pip asks rustc, where there is one, for its version, and that may begin a folder of its own.
-    assert {path.name for path in (tmp_path / "home").glob("*")} <= {".rustup"}
+    assert not list((tmp_path / "home").glob("*"))
 
 
-def cache_of_pip() -> str:
-    asked = [sys.executable, "-m", "pip", "cache", "dir"]
+def cache_of_uv() -> str:
+    asked = [sys.executable, "-m", "uv", "cache", "dir"]
     return subprocess.run(asked, capture_output=True, text=True, check=True).stdout.strip()
 
 
