@@ -113,7 +113,7 @@ def reason_to_build() -> str:
     """Say why the environment has to be made; nothing if it can stay."""
     found, wanted = read_stamp(), wanted_stamp(ENVIRONMENT)
     if not VENV.exists() or (VENV.is_dir() and not any(VENV.iterdir())):
-        return f"Setting up Drift Lab in {HOME}; the first time about 300 MB are downloaded."
+        return f"Setting up Drift Lab in {HOME}; the first time takes up to a minute or two."
     if not (VENV / STAMP).exists():
         raise Trouble(f"{VENV} was not made by lab.py: move it away and run this again.")
     if found.get("python", wanted["python"]) != wanted["python"]:

@@ -45,8 +45,10 @@ def index(folder: Path, status: int = 200, page: str = "") -> Iterator[str]:
 
 
 @pytest.mark.setup
-@TOOLS
-@pytest.mark.parametrize("way", ["file", "variable", "extra", "folder"])
+@pytest.mark.parametrize(
+    ("way", "path"),
+    [("file", WITH_UV), ("file", ""), *((way, WITH_UV) for way in ("variable", "extra", "folder"))],
+)
 def test_a_mirror_that_is_set_for_pip_is_used(
     tiny: Path, tmp_path: Path, path: str, way: str
 ) -> None:
@@ -61,7 +63,7 @@ def test_a_mirror_that_is_set_for_pip_is_used(
             "folder": {"PIP_FIND_LINKS": tmp_path.as_uri(), "PIP_NO_INDEX": "1"},
         }[way]
         direct = {"NO_PROXY": "127.0.0.1", "no_proxy": "127.0.0.1"}
-        if way == "extra":  # where nobody listens uv stops, and pip goes on
+        if way == "extra":  # where nobody listens uv stops
             settings["PIP_INDEX_URL"] = url.replace("simple", "other")
         done = run(tiny, "figures", PATH=path, **direct, **settings)
     assert (done.code, done.complained) == (0, "")
