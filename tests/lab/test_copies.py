@@ -249,6 +249,16 @@ def test_who_is_killed_between_two_names_has_both_afterwards(
     assert sources(copies.COPIES / CHAPTER) == ["2 + 2"]
 
 
+def test_a_save_that_was_cut_off_is_undone_before_a_clean_copy_comes(copies: ModuleType) -> None:
+    """JupyterLab, killed while it saves, leaves what was there before under another name."""
+    mine = touch(copies)
+    (copies.COPIES / f".~{CHAPTER}").write_text(mine, "utf-8")
+    (copies.COPIES / CHAPTER).write_text('{"cells": [', "utf-8")
+    copies.bring_clean(["03"])
+    assert put_aside(copies) == [mine]
+    assert sources(copies.COPIES / CHAPTER) == ["2 + 2"]
+
+
 def test_who_saves_at_the_last_moment_keeps_it(
     copies: ModuleType, monkeypatch: pytest.MonkeyPatch
 ) -> None:
