@@ -31,6 +31,7 @@ from bootstrap.steps import (
 ENVIRONMENT = HOME / "environment.txt"
 TOOLS = VENV.with_name(f"{VENV.name}-uv")
 WANTED = TOOLS / "uv.txt"  # written when its pip is whole
+UV = re.compile(r"^uv==.*\n(?: .*\n)*", re.M)  # in environment.txt
 OLDEST_UV = (0, 5)
 SETTINGS = {
     "index-url": ("UV_DEFAULT_INDEX",),
@@ -79,11 +80,20 @@ def fill(folder: Path, *steps: list[str]) -> None:
         try:
             make_venv(folder)
             for step in steps:
-                run_step([*command, *step], env)
+                run_step([*command, *(without_uv(word) for word in step)], env)
             return
         except NoPackages as trouble:
             told += trouble.output
     raise diagnosis(told)
+
+
+def without_uv(word: str) -> str:
+    """Return a list of packages without uv where there is none for this computer."""
+    if not word.endswith(".txt") or find_uv():
+        return word
+    lines = UV.sub("", Path(word).read_text("utf-8"))
+    (TOOLS / "list.txt").write_text(lines, "utf-8")
+    return str(TOOLS / "list.txt")
 
 
 def installers(folder: Path) -> Iterator[tuple[list[str], dict[str, str]]]:
@@ -159,7 +169,7 @@ def bring_pip() -> None:
 def fetch_uv(around: dict[str, str]) -> str:
     """Bring the uv that environment.txt names into ``.venv-uv``; nothing if there is none."""
     bring_pip()
-    pinned = re.search(r"^uv==.*\n(?: .*\n)*", ENVIRONMENT.read_text("utf-8"), re.M)
+    pinned = UV.search(ENVIRONMENT.read_text("utf-8"))
     if not pinned:
         return ""
     WANTED.write_text(pinned[0], "utf-8")

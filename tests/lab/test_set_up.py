@@ -43,6 +43,8 @@ def test_packages_come_with_their_hashes_and_no_others(
     wheels = {"PIP_FIND_LINKS": tmp_path.as_uri(), "PIP_NO_INDEX": "1", "PATH": path}
     listed(tiny, line)
     listed(tiny, f"seventh==1.0 ; python_version < '3' --hash=sha256:{64 * '0'}\n")
+    if not path:  # there is no uv for this computer
+        listed(tiny, f"uv==99.0 \\\n    --hash=sha256:{64 * '0'}\n")
     done = run(tiny, "figures", **wheels)
     assert (done.code, done.complained) == (0, "")
     assert done.said.startswith("Setting up Drift Lab in ")
