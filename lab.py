@@ -182,7 +182,7 @@ def peers(arguments: list[str]) -> int:
     """Ask the programs of others whether they compute the same; who is missing is skipped."""
     expect_none(arguments)
     set_up()
-    for extra in ("bench", "cluster", "compiled", "peers"):
+    for extra in ("bench", "cluster", "peers"):
         fetch(extra)
     return run("-m", "pytest", "benchmarks")
 
