@@ -88,6 +88,8 @@ NEWEST_EXTRAS = ("book", "cluster", "compiled", "lab", "test", "dev")
 # Paths are seen from where the caller is; -P: modules are not.
 BOOK_PROGRAM = ("-P", "-m", "driftlab.book")
 LONG = ("browser", "kernel", "setup", "slow")
+# Of the site and of a class, which only some change: .ci/run tries them by name.
+ELSEWHERE = ["--ignore=tests/site", "--ignore=tests/class"]
 QUICK = ["--hypothesis-profile=quick", "-m", " and ".join(f"not {mark}" for mark in LONG)]
 
 
@@ -149,7 +151,7 @@ def test(arguments: list[str]) -> int:
         linter = "from importlinter.cli import lint_imports_command; lint_imports_command()"
         checks["import-linter"] = ["-c", linter]
     # pytest comes last so that its summary closes the output.
-    checks["pytest"] = ["-m", "pytest", *AT_ONCE, *marks]
+    checks["pytest"] = ["-m", "pytest", *AT_ONCE, *ELSEWHERE, *marks]
     codes = {name: run(*command) for name, command in checks.items()}
     failed = [name for name, code in codes.items() if code]
     minutes, seconds = divmod(round(time.monotonic() - begun), 60)

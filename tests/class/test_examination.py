@@ -5,12 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from exam_numbers import EDITIONS, NUMBER, questions
 
 from driftlab.book.instructors.exam_questions import BY_CHOICE, COMPULSORY, shown
 from driftlab.book.instructors.examination import CHOSEN, READING, exam_paper
-from exam_numbers import EDITIONS, NUMBER, questions
 
-FOLDER = Path(__file__).parents[3] / "notebooks"
+FOLDER = Path(__file__).parents[2] / "notebooks"
 
 
 @pytest.mark.parametrize("edition", EDITIONS[:5])

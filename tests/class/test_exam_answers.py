@@ -5,10 +5,9 @@ from math import atan, atan2, cos, degrees, hypot, pi, radians, sin, sqrt, tan
 
 import numpy as np
 import pytest
+from exam_numbers import EDITIONS, asked, matrix_in, numbers, question
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
-
-from exam_numbers import EDITIONS, asked, matrix_in, numbers, question
 
 EARTH = 360 / 86164.0905 * 3600
 """Degrees an hour, from the length of the sidereal day."""
