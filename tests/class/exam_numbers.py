@@ -38,3 +38,8 @@ def numbers(text):
 def matrix_in(text):
     (body,) = re.findall(r"\\begin\{pmatrix\}(.*?)\\end\{pmatrix\}", text)
     return np.array([numbers(row) for row in body.split(r"\\")])
+
+
+def powers(text):
+    """The numbers before a power of ten."""
+    return re.findall(rf"({NUMBER})\\cdot10", text)

@@ -1,8 +1,8 @@
 """An examination of 90 minutes and 60 marks: the sheet for the class, the scheme for who marks it.
 
 All numbers are drawn from the name of the edition, a text that the lecturer chooses and keeps, and
-so is the second part of each question, of three or more. Whoever does not know the name cannot
-compute the sheet before it lies on the table.
+so is each part of a question, from three. Nobody who does not know the name can compute the sheet
+in advance.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ CHOSEN = 2
 READING = 5
 """Minutes."""
 RULES = (
-    "On paper, with a pocket calculator and one page of notes by your own hand. Three digits that "
-    "count are enough. Every number needs its unit, and one line that says where it comes from."
+    "On paper, with a pocket calculator and one page of notes in your own handwriting. Three "
+    "significant digits are enough. Every number needs its unit and one line of working."
 )
 
 
@@ -71,7 +71,7 @@ class Examination(NamedTuple):
             f"{self.minutes} minutes, {self.marks} marks.",
             "Name: ______________________________  Number: ______________",
             f"{RULES} The first {READING} minutes are for reading. Answer questions 1 to "
-            f"{len(self.compulsory)}, and of the last {len(self.by_choice)} any {CHOSEN}. If you "
+            f"{len(self.compulsory)} and any {CHOSEN} of the last {len(self.by_choice)}. If you "
             f"answer more of these, the first {CHOSEN} count.",
         ]
         for number, question in self._numbered():
@@ -86,8 +86,8 @@ class Examination(NamedTuple):
         """Return model answers, what earns each mark, typical errors and what they still earn."""
         parts = [
             f"**Marking scheme of sheet {self.mark}.** {self.minutes} minutes, {self.marks} marks.",
-            "A number that follows rightly from a wrong one before it earns its marks. The third "
-            "digit may differ by one; a missing unit costs a mark once on the whole sheet.",
+            "A number that follows correctly from an earlier wrong one earns its marks. The third "
+            "digit may differ by one; a missing unit costs one mark, once on the whole sheet.",
         ]
         for number, question in self._numbered():
             parts += [
@@ -98,7 +98,7 @@ class Examination(NamedTuple):
                 parts.append(f"**({letter})** {part.works}")
                 rows = [f"- **{answer}**" for answer in part.answers]
                 rows += [f"- {marks}: {what}" for marks, what in part.earns]
-                rows += [f"- *if* {slip}" for slip in part.slips]
+                rows += [f"- *also seen:* {slip}" for slip in part.slips]
                 parts.append("\n".join(rows))
         return Page("\n\n".join(parts))
 

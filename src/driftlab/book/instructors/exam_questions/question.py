@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Iterable
-from typing import NamedTuple
+from typing import NamedTuple, SupportsFloat
 
 import numpy as np
 
@@ -12,21 +13,21 @@ import numpy as np
 class Answer(NamedTuple):
     """A number that is asked for."""
 
-    name: str  # in Markdown
     value: float  # in its unit
+    name: str  # in Markdown
     unit: str = ""  # empty for a plain number
-    digits: int = 3  # how many count
+    digits: str = "3"  # how many are significant
 
     def __str__(self) -> str:
         """As the marking scheme has it: "the drift = 86.4 arc seconds"."""
-        return f"{self.name} = {shown(self.value, self.digits)}{self.unit and ' '}{self.unit}"
+        return f"{self.name} = {shown(self.value, int(self.digits))}{self.unit and ' '}{self.unit}"
 
 
 class Part(NamedTuple):
     """A part of a question."""
 
     asks: str  # what stands on the sheet
-    works: str  # the model answer, in words and formulas; empty if the numbers are enough
+    works: str  # the model answer, in words and formulas
     answers: tuple[Answer, ...]  # the numbers asked for, in their order; empty if words are
     earns: tuple[tuple[int, str], ...]  # the marks, and what each of them is for
     slips: tuple[str, ...] = ()  # typical errors, and what they still earn
@@ -68,9 +69,35 @@ def shown(value: float, digits: int = 3) -> str:
     return f"{value:.{after}f}".replace("-", "−")
 
 
-def two_of(draw: np.random.Generator, first: Part, *others: Part) -> tuple[Part, Part]:
-    """Return a part that every sheet has, and one of several that earn the same."""
-    return first, others[int(draw.integers(len(others)))]
+def question(draw: np.random.Generator, text: str, values: Iterable[SupportsFloat]) -> Question:
+    """Return a question from its text, with one of its parts (a) and one of its parts (b).
+
+    Before the parts come chapter, minutes and title, the outcome, and what is given. In a part "="
+    begins the model answer, "2:" what earns two marks, "-" a typical error, and ">" the numbers
+    asked for, with their units, whose values are taken in this order.
+    """
+    head, given, *rest = text.strip().split("\n\n")
+    about, outcome = (flow(line) for line in head.split("\n"))
+    chapter, minutes, title = re.split(", | minutes: ", about, maxsplit=2)
+    left = iter(values)
+    choices: dict[str, list[Part]] = {"(a)": [], "(b)": []}
+    for each in rest:
+        asks, *lines = (flow(line) for line in re.split(r"\n\s*(?=(?:=|-|>|\d:) )", each))
+        said = {sign: [line[2:].strip() for line in lines if line[0] == sign] for sign in "=->"}
+        names = [name.strip() for line in said[">"] for name in line.split("|")]
+        answers = tuple(Answer(float(next(left)), *name.split(": ")) for name in names)
+        marks = " ".join(line for line in lines if line[0].isdigit())
+        found = re.findall(r"(\d): (.+?)(?:;? (?=\d: )|$)", marks)
+        earns = tuple((int(number), what) for number, what in found)
+        part = Part(asks[4:], " ".join(said["="]), answers, earns, tuple(said["-"]))
+        choices[asks[:3]].append(part)
+    drawn = tuple(parts[int(draw.integers(len(parts)))] for parts in choices.values())
+    return Question(title, chapter, outcome, int(minutes), flow(given), drawn)
+
+
+def flow(text: str) -> str:
+    """Return a text of several lines in one."""
+    return " ".join(text.split())
 
 
 def plain(value: float) -> str:
