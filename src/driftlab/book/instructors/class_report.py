@@ -39,14 +39,15 @@ FORMULA = re.compile(r"(^\s*|[;\t]\s*\"*)(?=[=+\-@＝＋－＠])")
 REASONED = Said(because="for the class report")
 """With words the reply goes into what was chosen."""
 STYLE = """
-.class-report { line-height: 1.45 }
+.class-report { line-height: 1.45; overflow-x: auto }
 .class-report table { border-collapse: collapse }
 .class-report th, .class-report td {
   padding: 0.2em 0.6em; border: 1px solid rgba(128, 128, 128, 0.4);
   text-align: left; vertical-align: top
 }
-.class-report td { overflow-wrap: anywhere }
-.class-report .count { text-align: right }
+.class-report td, .class-report li { overflow-wrap: anywhere }
+.class-report td { min-width: 15em; width: 50% }
+.class-report .count { text-align: right; min-width: 0; width: auto }
 .class-report .right { background: rgba(0, 158, 115, 0.2) }
 .class-report .slip { background: rgba(213, 94, 0, 0.2) }
 """

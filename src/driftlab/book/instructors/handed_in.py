@@ -105,7 +105,7 @@ def _files(folder: Path) -> Iterator[tuple[Path, str]]:
 def _content(path: Path) -> bytes:
     about = path.lstat()
     if not stat.S_ISREG(about.st_mode):
-        raise ValueError("It is no file.")
+        raise ValueError("It is not a regular file.")
     if about.st_size > LARGEST:
         raise ValueError(f"It is larger than {LARGEST // 2**20} MB.")
     with path.open("rb") as file:
