@@ -67,8 +67,8 @@ def at_rest(draw: Generator) -> Question:
         - The heading counted towards East, and this is stated: nothing lost.
         > the heading: degrees | the latitude: degrees
 
-        (a) The box is now turned through {turn}° about Up, counter-clockwise as seen from above.
-        What do the forward gyro and the right gyro read then, in °/h?
+        (a) The box is now turned through {turn}° about Up, counter-clockwise as seen from above,
+        and left at rest again. What do the forward gyro and the right gyro read then, in °/h?
         = The level component of the Earth's rate, {shown(level_found)} °/h, does not change; the
         heading increases by {turn}°. Its cosine belongs to the forward gyro, its sine to the right
         one.

@@ -233,7 +233,7 @@ def worst_axis(draw: Generator) -> Question:
         (a) The triad turns about an axis in the plane of axes {i + 1} and {k + 1}. At what angle
         from axis {i + 1} (between 0° and 90°) is the drift per turn {plain(wanted)} arc seconds?
         = With $\alpha$ for the angle, the drift is $2\pi\,n^TMn$, to which only the ${scale}''$
-        contribute: $2\pi\cdot{scale}''\sin^2\alpha$.
+        contribute: $2\pi\cdot({scale}'')\sin^2\alpha$.
         2: $2\pi\,n^TMn$ with a unit vector $n$; 1: $\sin^2\alpha$ times the scale-factor error; 1:
         the number
         - The angle from axis {k + 1} ({shown(90 - found)}°): 3.

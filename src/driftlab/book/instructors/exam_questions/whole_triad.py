@@ -70,9 +70,10 @@ def three_parts(draw: Generator) -> Question:
         > gyros minus accelerometers, $x$: arc seconds | $y$: arc seconds | $z$: arc seconds
 
         (a) A filter starts with a standard deviation of {known}″ for each component of the
-        misalignment of the gyros and of the accelerometers, all uncorrelated. It then sees a long
-        scheme of turns with excellent sensors. To what value can the standard deviation of one
-        component of the misalignment of the gyros fall, and why no further?
+        misalignment of the gyros and of the accelerometers, all uncorrelated, and without any
+        knowledge of the attitude. It then sees a long scheme of turns with excellent sensors. To
+        what value can the standard deviation of one component of the misalignment of the gyros
+        fall, and why no further?
         = The difference of the two misalignments becomes known. Their mean does not: no motion
         reveals it, and it keeps its initial standard deviation, {known}″$/\sqrt2$. With the
         difference known, this is also the uncertainty of each.
@@ -83,7 +84,7 @@ def three_parts(draw: Generator) -> Question:
         > the remaining standard deviation: ″
 
         (b) Give the three entries $xy$, $xz$, $yz$ of the non-orthogonality, and the misalignment
-        $\kappa$ for which the skew-symmetric part is $[\kappa\times]$, all in arc seconds. What
+        $\kappa$ for which the skew-symmetric part is $[\kappa\times]$, all in arc seconds. Which
         errors remain?
         = Means and half differences of mirrored entries. The scale-factor errors remain, on the
         diagonal.
