@@ -1,6 +1,7 @@
 """What the tests of the examination read from a sheet."""
 
 import re
+from functools import cache
 
 import numpy as np
 
@@ -10,6 +11,7 @@ EDITIONS = [f"edition {number}" for number in range(25)]
 NUMBER = r"[−-]?\d+(?:\.\d+)?"
 
 
+@cache
 def questions(edition):
     paper = exam_paper(edition)
     return [*paper.compulsory, *paper.by_choice]
