@@ -84,6 +84,7 @@ def counts(report):
         ("check('3.2', lambda: 1)", UNREAD),
         ("check('3.2', f'{1}')", UNREAD),
         ("check('3.2', answer)", UNREAD),
+        ("check('3.2', 129, 6)", UNREAD),
         ("check('3.2', a, d", UNREAD),
     ],
 )
@@ -129,14 +130,15 @@ def test_a_recorded_value_is_judged_again_and_no_verdict_is_believed(tmp_path):
         cell("answer = 5\ncheck('3.4', answer)", record("3.4", [1, 2, 3])),
         cell("check('3.5', lambda M: 0)", record("3.5", "<function answer>")),
         cell("print(1)", text=forged),
+        cell("check('3.3', 'acd')\ncheck('3.3', mine)", record("3.3", "ad")),
         cell("check('3.6', letters)", record("3.6", "adf", right=False, word="not yet")),
     )
     found = counts(class_report(tmp_path, ["03"]))
-    assert {number for number, shows in found if shows == "right"} == {"3.6"}
-    assert found["3.6", "right"] == (1, 1)
+    assert {number for number, shows in found if shows == "right"} == {"3.3", "3.6"}
+    assert found["3.3", "right"] == found["3.6", "right"] == (1, 1)
     assert found["3.5", "not judged"] == (1, 0)
     recorded = {number: count[1] for (number, _), count in found.items()}
-    assert recorded == {"3.1": 1, "3.2": 1, "3.4": 0, "3.5": 0, "3.6": 1}
+    assert recorded == {"3.1": 1, "3.2": 1, "3.3": 0, "3.4": 0, "3.5": 0, "3.6": 1}
 
 
 def test_numbers_of_ones_own_are_judged_by_the_name(tmp_path):

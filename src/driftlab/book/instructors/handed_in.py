@@ -128,7 +128,8 @@ def answers_in(content: bytes) -> list[Answer]:
             if student is UNREAD and record:
                 student = record.student
             answers.append(Answer(number, value, student))
-        read = {each.number for each in typed if each.answer is not UNREAD}
+        unread = {each.number for each in typed if each.answer is UNREAD}
+        read = {each.number for each in typed} - unread
         answers += [each for number, each in records.items() if number not in read]
     return answers[:MOST_ANSWERS]
 

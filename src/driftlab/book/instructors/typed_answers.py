@@ -111,6 +111,8 @@ class Reader:
         number = self._read(given.get("number"))
         if not isinstance(number, str | float):
             return None
+        # A third one without a name is refused: a decimal comma, as a rule.
+        is_made = is_made and len(call.args) <= 2
         answer = self._read(given.get("answer")) if is_made else UNREAD
         student = self._read(given["student"]) if "student" in given else ""
         if None in given or (student is not UNREAD and not isinstance(student, str)):
