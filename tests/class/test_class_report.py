@@ -108,11 +108,14 @@ def test_answers_are_counted_by_slip_and_by_notebook(tmp_path):
     put(tmp_path, "deep/er/Ada Lovelace/03.ipynb", wrong)
     put(tmp_path, "whole book.ipynb", cell("check('3.3', ...)"), cell("check('4.3', ...)"))
     put(tmp_path, ".ipynb_checkpoints/03.ipynb", wrong)
+    for name, answer in (("Bo.ipynb", "a und d"), ("Cy.ipynb", "a, q")):
+        put(tmp_path, name, cell(f"check('3.3', {answer!r})"))
     report = class_report(tmp_path, "3")
     reason = "(c) counts the three entries off the diagonal of Σ. Scale errors are on it."
     slip = f"Chose a, c, d. {reason}"
     assert counts(report) == {
         ("3.3", "right"): (1, 0), ("3.3", slip): (2, 0), ("3.3", "no answer"): (1, 0),
+        ("3.3", "Not readable. Expected letters from a to f."): (2, 0),
     }  # fmt: skip
     assert report.rows[1].examples == [
         "acd — Ada Lovelace/03.ipynb", "acd — deep/er/Ada Lovelace/03.ipynb",
