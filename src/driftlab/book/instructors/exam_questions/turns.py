@@ -303,8 +303,8 @@ def table_on_the_earth(draw: Generator) -> Question:
         say what the Earth's rate, a gyro bias and a scale factor do to the result
 
         At latitude {degrees}° {"South" if south else "North"} a triad is mounted on a table with a
-        vertical axis; the axis $n$ of the body points up. {turns} whole turns counter-clockwise,
-        seen from above, at {rate}°/s give the estimate ${readings[0]}''$ of $n^T\Sigma n$: the
+        vertical axis; the axis $n$ of the body points up. Seen from above, {turns} whole turns
+        counter-clockwise at {rate}°/s give the estimate ${readings[0]}''$ of $n^T\Sigma n$: the
         error angle about $n$ divided by the angle turned. The same number of turns clockwise,
         counted about their own direction of rotation, give ${readings[1]}''$. The gyros may have
         biases; the Earth turns at $U$ = 15.04°/h.

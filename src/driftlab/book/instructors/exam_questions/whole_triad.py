@@ -50,8 +50,8 @@ def three_parts(draw: Generator) -> Question:
         (a) Gyros and accelerometers together have 24 errors, biases included. Why can navigation
         find only 21 of them, which three remain unknown, and what would determine these?
         = Rotating gyros and accelerometers together by a small angle gives the same box in another
-        mounting: no motion reveals these three numbers. They remain unknown until the
-        axes of the box are defined, or the triads are measured against the case.
+        mounting, so no motion reveals these three angles. They remain unknown until the axes of the
+        box are defined, or the triads are measured against the case.
         2: the common misalignment of both triads is a choice of axes; 1: no motion reveals it, so
         no scheme of turns and no better sensor helps; 1: what determines it: a definition, or a
         measurement against the case
