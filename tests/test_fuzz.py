@@ -6,16 +6,14 @@ window into one. `doors` has the right calls, `fuzzing` what is changed in them,
 holds of each.
 """
 
-import re
 from itertools import islice
 
-import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
 from doors import CORES, Door, doors
 from fuzz_rules import answered, arrays, compared, refused
-from fuzzing import Change, no_numbers, other_numbers, same_numbers, slots
+from fuzzing import no_numbers, other_numbers, same_numbers, slots
 from support import helper_modules
 
 # Calls that take a hundredth of a second or more are made with a few of the changes only.
@@ -127,58 +125,6 @@ def test_nobody_changes_a_constant():
     found = [place for name, value in public.items() for place in arrays(value, name)]
     assert len(found) > 5
     assert [name for name, array in found if array.flags.writeable] == []
-
-
-def slot_of(call, **arguments):
-    """The only slot of a made-up door."""
-    call.__annotations__ = dict.fromkeys(arguments, "ArrayLike")
-    (slot,) = slots(Door(call.__name__, call, arguments))
-    return slot
-
-
-RIGHT = np.array([3.0, 4.0])
-
-
-@pytest.mark.parametrize(
-    ("call", "what"),
-    [
-        (lambda rate: rate, r"answer is a window into \['rate'\]"),
-        (lambda rate: np.float32(rate), "returns float32 in its answer"),
-        (lambda rate: np.log(rate - 3), "leaks RuntimeWarning: divide by zero"),
-        (lambda rate: rate * np.nan, r"returns \[nan nan\] in its answer"),
-        (lambda rate: rate.sort() or rate.fill(0.0), "has changed an argument"),
-        (lambda rate: rate @ np.ones(3), "ValueError: 'matmul: "),
-        (lambda rate: [][1], "IndexError: 'list index"),
-    ],
-)
-def test_a_function_that_breaks_the_rules_is_seen(call, what):
-    slot = slot_of(call, rate=RIGHT)
-    complaints = answered(Change(slot, "as it is", RIGHT.copy()))
-    assert [each for each in complaints if re.match(what, each)]
-
-
-def test_a_function_that_takes_what_is_no_number_is_seen():
-    slot = slot_of(lambda rate: None, rate=RIGHT)
-    assert all(refused(change) == ["is accepted"] for change in no_numbers(slot))
-
-    def other(rate):
-        raise ValueError("rates: expected others, got these.")
-
-    found = refused(next(no_numbers(slot_of(other, rate=RIGHT))))
-    assert [each for each in found if "refused as another's" in each]
-
-
-def test_a_function_that_computes_in_the_word_it_is_given_is_seen():
-    slot = slot_of(lambda rate: float(np.sum(np.asarray(rate) / 3)), rate=RIGHT)
-    seen = {other.what for double, other in same_numbers(slot) if compared(double, other)}
-    assert {"as float16", "as float32"} <= seen
-    assert "as int64" not in seen
-    kept = np.zeros(2)
-    slot = slot_of(lambda rate: kept, rate=RIGHT)
-    assert all(
-        "is a window into what the next answer has" in " ".join(compared(*pair))
-        for pair in same_numbers(slot)
-    )
 
 
 def test_slots_are_found_in_every_module_that_computes():

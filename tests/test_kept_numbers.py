@@ -138,13 +138,6 @@ def arrays_in(value):
     return [each for part in value for each in arrays_in(part)] if isinstance(value, tuple) else []
 
 
-@pytest.mark.parametrize("module", helper_modules(), ids=lambda module: module.__name__)
-def test_nobody_changes_a_constant_through_an_array(module):
-    for name, value in vars(module).items():
-        if name.isupper() and not name.startswith("_"):
-            assert not any(each.flags.writeable for each in arrays_in(value)), name
-
-
 def test_nobody_changes_the_rows_of_a_recording_through_it():
     rows = np.zeros((3, 3))
     record = Recording(gyro=rows, accelerometer=rows, interval=0.1, kind="rates")

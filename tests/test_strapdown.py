@@ -434,14 +434,6 @@ def test_many_at_once_are_as_one_by_one(hold_altitude):
         same_states(part(shared, j), alone)
 
 
-def test_nothing_is_written_into_the_arguments():
-    start = Navigation(*(np.array(component) for component in AIRBORNE))
-    increments = TURN.increments(0.05, 1600)
-    for array in (*start, *increments):
-        array.setflags(write=False)
-    navigate(start, Increments(0.05, *increments), hold_altitude=True)
-
-
 @pytest.mark.parametrize("degrees", [179.99, -179.99])
 def test_longitude_goes_on_at_the_other_side(degrees):
     speed = np.copysign(200.0, degrees)
@@ -504,21 +496,10 @@ GOOD = {
             {"increments.interval": 21.0},
             r"increments\.interval: expected a positive time of at most 20 s, got 21",
         ),
-        (
-            {"increments.interval": -0.1},
-            r"increments\.interval: expected a positive number, got -0\.1\.",
-        ),
-        ({"increments.interval": np.nan}, r"increments\.interval: expected finite numbers"),
-        (
-            {"increments.interval": [0.1, 0.1]},
-            r"increments\.interval: expected one number, got shape \(2,\)",
-        ),
         ({"every": 3}, r"every: expected an even divisor .*increments, 12, got 3\."),
         ({"every": 8}, r"every: expected an even divisor .*increments, 12, got 8\."),
         ({"every": 24}, r"every: expected an even divisor .*increments, 12, got 24\."),
         ({"every": 0}, r"every: expected a whole number of at least 2, got 0\."),
-        ({"every": -2}, r"every: expected a whole number of at least 2, got -2\."),
-        ({"every": 2.0}, r"every: expected a whole number of at least 2, got 2\.0\."),
         (
             {"increments.angle": np.zeros((10, 3))},
             r"increments\.velocity: expected as many as increments\.angle, 10, got 12\.",
@@ -531,20 +512,8 @@ GOOD = {
         ({"increments.angle": np.zeros((12, 2))}, r"increments\.angle: expected shape"),
         ({"increments.velocity": np.zeros((12, 4))}, r"increments\.velocity: expected shape"),
         (
-            {"increments.angle": np.full((12, 3), np.nan)},
-            r"increments\.angle: expected finite numbers, got 36 NaN",
-        ),
-        (
-            {"increments.velocity": np.full((12, 3), np.inf)},
-            r"increments\.velocity: expected finite numbers, got 36 NaN",
-        ),
-        (
             {"start": GOOD["start"]._replace(latitude=np.array(np.pi / 2))},
             r"latitude: expected at most 89\.9 degrees .* that is 90 degrees",
-        ),
-        (
-            {"start": GOOD["start"]._replace(latitude=np.array(np.nan))},
-            r"start\.latitude: expected finite numbers",
         ),
     ],
     ids=lambda case: case if isinstance(case, str) else "",

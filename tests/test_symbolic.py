@@ -121,28 +121,6 @@ def test_leading_error_of_an_exact_algorithm_is_refused() -> None:
         symbolic.leading_error(CONING_ALGORITHMS["rotation-vector-2"], steady)
 
 
-@pytest.mark.parametrize("name", CONING_ALGORITHMS)
-def test_program_computes_the_step(name: str) -> None:
-    algorithm = CONING_ALGORITHMS[name]
-    increments = 0.1 * np.random.default_rng(4).normal(size=(algorithm.window, 3))
-    values = {
-        symbol: increments[i, j]
-        for i in range(algorithm.window)
-        for j, symbol in enumerate(symbolic.vector(f"g{i}"))
-    }
-    program = symbolic.step_program(algorithm)
-    for symbol, expression in program:
-        assert symbol not in values, "assigned twice"
-        values[symbol] = float(expression.subs(values))
-    expected = step_quaternions(
-        increments[algorithm.memory :],
-        name,
-        history=increments[: algorithm.memory] if algorithm.memory else None,
-    )[0]
-    found = [values[symbol] for symbol, _ in program[-4:]]
-    np.testing.assert_allclose(found, expected, rtol=0, atol=STEP)
-
-
 def test_another_last_stage_is_refused() -> None:
     with pytest.raises(ValueError, match=r"^last_stage: expected one of first iterate, .*'sine'"):
         symbolic.step_program(CONING_ALGORITHMS["two-step-4"], "sine")

@@ -470,16 +470,6 @@ def test_chunks_are_the_same_as_all_at_once(name, data):
 
 
 @every_algorithm
-def test_leading_axes_are_loops(name):
-    rows, start = increments(2, 1, 12), random_quaternions(3)
-    together = integrate(rows, name, start=start)
-    assert together.shape == (2, 3, 12 // CONING_ALGORITHMS[name].samples, 4)
-    for i, j in np.ndindex(2, 3):
-        alone = integrate(rows[i, 0], name, start=start[j])
-        np.testing.assert_allclose(together[i, j], alone, rtol=0, atol=100 * EPS)
-
-
-@every_algorithm
 def test_history_has_the_leading_axes_of_the_increments(name):
     rows = increments(2, 3, 14)
     together = integrate(rows[..., 2:, :], name, history=rows[..., :2, :])
@@ -538,18 +528,6 @@ def test_no_rotation_is_the_identity(name):
 
 
 @every_algorithm
-def test_arguments_are_left_alone(name):
-    rows, start, history = increments(6), random_quaternions(1)[0], increments(2, seed=1)
-    for array in (rows, start, history):
-        array.setflags(write=False)
-    copies = rows.copy(), start.copy(), history.copy()
-    integrate(rows, name, start=start, history=history)
-    integrate(rows, name, start=start)
-    for array, copy in zip((rows, start, history), copies, strict=True):
-        np.testing.assert_array_equal(array, copy)
-
-
-@every_algorithm
 @pytest.mark.parametrize("word", ["float16", "float32", "float64"])
 def test_vectors_in_another_word(name, word):
     rows, history = increments(2, 6), increments(2, 2, seed=1)
@@ -583,13 +561,12 @@ def test_unknown_algorithm_is_refused_with_the_known_ones(function):
         (np.zeros(3), r"shape \(\.\.\., n, 3\), got shape \(3,\)"),
         (np.zeros((6, 4)), r"shape \(\.\.\., n, 3\), got shape \(6, 4\)"),
         (np.zeros((0, 3)), "at least one value, got an empty array"),
-        (np.full((2, 3), np.nan), "finite numbers, got 6 NaN or infinite"),
         (
             np.zeros((5, 3)),
             "a multiple of 2 for two-step-4, got 5; keep the last 1 for the next call",
         ),
     ],
-    ids=["one row", "four columns", "empty", "NaN", "odd"],
+    ids=["one row", "four columns", "empty", "odd"],
 )
 def test_bad_increments_are_refused(function, bad, words):
     with pytest.raises(ValueError, match=rf"^increments: expected {words}\.$"):
@@ -633,23 +610,16 @@ def test_too_few_increments_to_start_are_refused(name, least):
         ),
         (np.zeros(3), r"shape \(\.\.\., m, 3\) with m at least 2 for memory-4, got shape \(3,\)"),
         (np.zeros((2, 4)), r"shape \(\.\.\., 3\), got shape \(2, 4\)"),
-        (np.full((2, 3), np.inf), "finite numbers, got 6 NaN or infinite"),
     ],
-    ids=["short", "one row", "four columns", "infinite"],
+    ids=[
+        "short",
+        "one row",
+        "four columns",
+    ],
 )
 def test_bad_histories_are_refused(function, bad, words):
     with pytest.raises(ValueError, match=rf"^history: expected {words}\.$"):
         function(increments(6), "memory-4", history=bad)
-
-
-@every_function
-def test_history_that_does_not_broadcast_is_refused(function):
-    with pytest.raises(
-        ValueError,
-        match=r"^increments, history: expected leading axes that broadcast, "
-        r"got \(2,\) and \(3,\)\.$",
-    ):
-        function(increments(2, 6), "memory-4", history=increments(3, 2))
 
 
 @every_algorithm
@@ -709,40 +679,11 @@ def test_whole_turns_in_a_step_are_nothing_to_a_rotation_vector(name):
     np.testing.assert_allclose(integrate(rows, name), expected, rtol=0, atol=100 * EPS)
 
 
-@with_cayley
-def test_increments_however_large_are_refused_alike(name):
-    with pytest.raises(ValueError, match=r"^increments: expected less than a whole turn a step"):
-        integrate(np.full((6, 3), 1e50), name)
-
-
-@pytest.mark.parametrize("word", [int, "complex64", bool, "longdouble", "euler"])
-def test_other_words_are_refused(word):
-    with pytest.raises(ValueError, match=r"^word: expected float16, float32 or float64, got "):
-        step_rotation_vectors(increments(6), "two-step-4", word=word)
-
-
 def test_increments_that_a_word_cannot_hold_are_refused():
     with pytest.raises(
         ValueError, match=r"^increments: expected numbers that float16 can hold, got larger ones\.$"
     ):
         step_rotation_vectors(np.full((2, 3), 1e5), "rotation-vector-2", word="float16")
-
-
-def test_an_unknown_last_stage_is_refused():
-    with pytest.raises(
-        ValueError, match=r"^last_stage: expected one of first iterate, .*, got 'fourth'\.$"
-    ):
-        Algorithm("mine", 1, 0, {}, "fourth", 4)
-
-
-def test_weights_that_are_no_numbers_are_refused():
-    with pytest.raises(ValueError, match=r"^coning: expected finite numbers, got 1 NaN"):
-        Algorithm("mine", 2, 0, {(0, 1): np.nan}, "tangent", 4)
-
-
-def test_a_list_is_no_algorithm():
-    with pytest.raises(ValueError, match=r"^algorithm: expected one of picard-1, .* got \['a'\]"):
-        integrate(np.ones((2, 3)), ["a"])
 
 
 def test_one_whole_turn_between_samples_is_nothing_unusual():

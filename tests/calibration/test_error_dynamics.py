@@ -25,12 +25,8 @@ from support import EPS, order_of, random_quaternions
 
 MODELS = {"all": FULL, **ERROR_MODELS}
 every_model = pytest.mark.parametrize("model", MODELS.values(), ids=list(MODELS))
-every_reduced_model = pytest.mark.parametrize(
-    "model", ERROR_MODELS.values(), ids=list(ERROR_MODELS)
-)
 every_latitude = pytest.mark.parametrize("latitude", np.radians([37.5, -60.0, 0.0]))
 NOISE = ImuNoise(1.5e-3, 1.2e-2)
-ATTITUDE = np.array([0.1, -0.5, 0.3, 0.8]) / np.sqrt(0.99)
 EARTH_RADIUS = 6.378e6
 
 
@@ -270,19 +266,3 @@ def test_process_noise_has_the_spread_of_navigated_noise():
     values = np.linalg.svd(white / np.sqrt(runs), compute_uv=False)
     # As for the prior, and 1 % for 40 steps in place of white noise.
     assert np.abs(values - 1).max() < np.sqrt(6 / runs) + np.sqrt(28 / runs) + 0.01
-
-
-def test_process_noise_has_leading_axes():
-    rng = np.random.default_rng(12)
-    forces, durations = rng.normal(size=(2, 4, 3, 3)), rng.uniform(1, 2, size=(2, 4))
-    together = process_noise(NOISE, forces, durations)
-    assert together.shape == (2, 4, 6, 6)
-    for index in np.ndindex(2, 4):
-        alone = process_noise(NOISE, forces[index], durations[index])
-        np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
-        assert np.linalg.eigvalsh(alone)[0] > -1e-15
-
-
-def test_without_noise_nothing_is_added():
-    silent = process_noise(ImuNoise(0, 0), np.ones((3, 3)), np.asarray(1.0))
-    np.testing.assert_array_equal(silent, 0)

@@ -19,10 +19,8 @@ every_model = pytest.mark.parametrize("model", MODELS.values(), ids=list(MODELS)
 every_reduced_model = pytest.mark.parametrize(
     "model", ERROR_MODELS.values(), ids=list(ERROR_MODELS)
 )
-every_latitude = pytest.mark.parametrize("latitude", np.radians([37.5, -60.0, 0.0]))
 ATTITUDE = np.array([0.1, -0.5, 0.3, 0.8]) / np.sqrt(0.99)
 AXES = {"x": 0, "y": 1, "z": 2}
-EARTH_RADIUS = 6.378e6
 
 
 def states(size):
@@ -70,13 +68,6 @@ def test_names_say_what_the_states_are(model):
 
 
 @every_model
-def test_the_bases_of_a_model_cannot_be_changed(model):
-    for basis in (model.gyro_basis, model.accelerometer_basis):
-        with pytest.raises(ValueError, match="read-only"):
-            basis[...] = 0.0
-
-
-@every_model
 def test_model_has_no_state_that_its_axes_exclude(model):
     gyro, accelerometer = model.gyro_basis, model.accelerometer_basis
     assert len(gyro) + len(accelerometer) == model.size - 12
@@ -104,28 +95,6 @@ def test_unit_of_the_state_of_a_unit_is_the_unit():
     imu_errors = random_imu_errors(PriorStandardDeviations(), np.random.default_rng(0))
     for found, expected in zip(FULL.imu_errors(FULL.state(imu_errors)), imu_errors, strict=True):
         np.testing.assert_array_equal(found, expected)
-
-
-@every_model
-def test_states_and_units_have_leading_axes(model):
-    many = np.random.default_rng(1).normal(size=(2, 4, model.size))
-    imu_errors = model.imu_errors(many)
-    found = model.state(imu_errors)
-    for index in np.ndindex(2, 4):
-        one = model.imu_errors(many[index])
-        for together, alone in zip(imu_errors, one, strict=True):
-            np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
-        # Sums of a few numbers of up to 3.
-        np.testing.assert_allclose(found[index], model.state(one), rtol=0, atol=16 * EPS)
-    # Fields of a unit may have leading axes of their own.
-    mixed = imu_errors._replace(
-        accelerometer_error_matrix=imu_errors.accelerometer_error_matrix[1, 2]
-    )
-    middle = 12 + len(model.gyro_basis)
-    expected = many.copy()
-    expected[..., middle:] = many[1, 2, middle:]
-    expected[..., :6] = 0
-    np.testing.assert_allclose(model.state(mixed), expected, rtol=0, atol=16 * EPS)
 
 
 # Reduction to the axes of a model

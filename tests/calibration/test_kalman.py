@@ -170,12 +170,6 @@ def test_steps_along_leading_axes_are_steps_one_by_one():
             np.testing.assert_allclose(many[i, k], one, rtol=0, atol=1e-12 * np.abs(one).max())
 
 
-def test_many_innovations_share_one_covariance():
-    covariance, _, _, _, seen, spread = random_step(7, 6, 2)
-    many = correct(covariance, np.ones((5, 3, 2)), seen, spread)
-    assert [part.shape for part in many] == [(5, 3, 6), (6, 6), (5, 3)]
-
-
 def test_nees_of_errors_drawn_from_the_covariance_is_chi_square():
     covariance, *_ = random_step(5, 6, 1)
     rng, runs = np.random.default_rng(6), 4000

@@ -324,12 +324,6 @@ def test_steps_may_be_shorter(monkeypatch):
     np.testing.assert_allclose(found[1][1], found[0][1], rtol=0.04)
 
 
-@pytest.mark.parametrize("latitude", [np.nan, "north", [0.1, 0.2], np.radians(89.95)])
-def test_latitudes_that_are_none_are_refused(latitude):
-    with pytest.raises(ValueError, match=r"^latitude: expected "):
-        linearize_along(SHORT, latitude)
-
-
 # Expected accuracy
 
 

@@ -1,7 +1,7 @@
 """Trials of the filter: whether its errors are as large as it says, and how they are counted."""
 
 import re
-from dataclasses import FrozenInstanceError, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -300,16 +300,6 @@ def test_unit_in_its_own_axes_stays():
         )
 
 
-def test_units_are_turned_one_by_one():
-    units = random_imu_errors(PriorStandardDeviations(), np.random.default_rng(1), 3)
-    turned, turn = imu_errors_in_frame(units, "upper triangle")
-    for k in range(3):
-        one, its = imu_errors_in_frame(ImuErrors(*(part[k] for part in units)), "upper triangle")
-        np.testing.assert_allclose(turn[k], its, rtol=0, atol=8 * EPS)
-        for some, part in zip(one, turned, strict=True):
-            np.testing.assert_allclose(part[k], some, rtol=0, atol=8 * EPS)
-
-
 def test_axes_of_a_triad_that_is_flat_are_refused():
     flat = TYPICAL_ERRORS._replace(gyro_error_matrix=np.diag([0.0, 0.0, -1.0]))
     with pytest.raises(
@@ -327,19 +317,6 @@ def test_attitude_of_turned_axes_maps_turned_components(attitude, turn, vector):
     np.testing.assert_allclose(
         rotate(turned, matrix @ vector), rotate(attitude, vector), rtol=0, atol=1e-13
     )
-
-
-def test_attitudes_of_turned_axes_broadcast():
-    rng = np.random.default_rng(2)
-    attitudes = Rotation.from_quat(rng.normal(size=(5, 4))).as_quat()
-    turns = Rotation.from_quat(rng.normal(size=(6, 4))).as_matrix().reshape(2, 3, 1, 3, 3)
-    together = attitude_of_axes(attitudes, turns)
-    assert together.shape == (2, 3, 5, 4)
-    for i, j, k in np.ndindex(2, 3, 5):
-        alone = attitude_of_axes(attitudes[k], turns[i, j, 0])
-        np.testing.assert_allclose(together[i, j, k], alone, rtol=0, atol=8 * EPS)
-    with pytest.raises(ValueError, match=r"^attitude: expected nonzero quaternions"):
-        attitude_of_axes(np.zeros(4), np.eye(3))
 
 
 @given(true=quaternions(), phi=vectors(1.5))
@@ -515,17 +492,11 @@ def test_scheme_that_leaves_errors_unobservable_is_warned_of_by_name():
     ("name", "bad", "words"),
     [
         ("latitude", np.pi / 2, "at most 89.9 degrees from the equator"),
-        ("latitude", np.nan, "finite numbers, got 1 NaN or infinite"),
-        ("latitude", [0.1, 0.2], r"one number, got shape \(2,\)"),
         ("frame", "mine", r"one of averaged, .*, got 'mine'\.$"),
         ("frame", None, "one of averaged, .*, got None"),
         ("keep", 0, r"a whole number of at least 1, got 0\.$"),
-        ("keep", 1.5, r"a whole number of at least 1, got 1\.5\.$"),
         ("sample_interval", 0.0, r"a positive number, got 0\.0\.$"),
-        ("sample_interval", -0.05, r"a positive number, got -0\.05\.$"),
-        ("sample_interval", np.inf, "finite numbers, got 1 NaN or infinite"),
         ("update_interval", 0, r"a positive number, got 0\.$"),
-        ("update_interval", "1", "real numbers, got '1'"),
         ("update_interval", 0.05, r"an even number of samples, got 1 of 0\.05 s\.$"),
         ("update_interval", 0.15, r"an even number of samples, got 3 of 0\.05 s\.$"),
         ("scheme", "+90X", r"a Scheme such as .* or the name of one .*, got '\+90X'\.$"),
@@ -552,34 +523,3 @@ def test_bad_settings_are_refused_by_name(name, bad, words):
 def test_even_numbers_of_samples_may_be_rounded(sample, update):
     trial = TurntableTrial(sample_interval=sample, update_interval=update)
     assert trial == TurntableTrial(sample_interval=sample, update_interval=update)
-
-
-def test_settings_cannot_be_changed():
-    with pytest.raises(FrozenInstanceError):
-        TRIAL.keep = 1
-
-
-def test_runs_need_a_generator_and_a_unit():
-    with pytest.raises(ValueError, match=r"^rng: expected a numpy Generator .*, got 0\.5\.$"):
-        BRIEF.run(0.5)
-    with pytest.raises(
-        ValueError,
-        match=r"^imu_errors: expected an ImuErrors\(.*\), got an array of shape \(3,\)\.$",
-    ):
-        BRIEF.run(np.random.default_rng(0), imu_errors=np.zeros(3))
-
-
-@pytest.mark.parametrize("runs", [0, -1, 2.0, True])
-def test_numbers_of_runs_that_make_no_sense_are_refused(runs):
-    with pytest.raises(ValueError, match=r"^runs: expected a whole number of at least 1, got"):
-        BRIEF.run(np.random.default_rng(0), runs)
-
-
-@pytest.mark.parametrize("name", ImuErrors._fields)
-def test_units_that_make_no_sense_are_refused_by_name(name):
-    for bad, words in (
-        (getattr(TYPICAL_ERRORS, name)[:2], "expected shape"),
-        (getattr(TYPICAL_ERRORS, name) * np.nan, "expected finite numbers"),
-    ):
-        with pytest.raises(ValueError, match=f"^{name}: {words}"):
-            BRIEF.run(np.random.default_rng(0), 2, TYPICAL_ERRORS._replace(**{name: bad}))

@@ -197,7 +197,6 @@ def test_a_calibration_keeps_its_arguments_unless_it_does_not_check_them():
             r"increments: .* hand in its increments\(\)",
         ),
         ({"start": Scheme("+90Y")}, r"start: .* hand in scheme\.start_attitude"),
-        ({"check": "no"}, "check: expected True or False, got 'no'"),
     ],
 )
 def test_what_is_not_meant_is_refused_with_what_is(changes, words):

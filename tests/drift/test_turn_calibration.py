@@ -151,12 +151,6 @@ def test_one_turn_in_a_hundred_steps_is_understood():
     assert TurnExperiment() == TurnExperiment(1, 100, "exact", 0.0)
 
 
-def test_axes_cannot_be_changed_by_accident():
-    for axes in (PAIR_AXES, YATES_AXES):
-        with pytest.raises(ValueError, match="read-only"):
-            axes[0] = 1
-
-
 # The experiment
 
 
@@ -172,14 +166,6 @@ def test_noise_of_the_estimate_is_the_angle_noise_over_the_turns():
     assert estimates.mean() == pytest.approx(0, abs=5 * expected / np.sqrt(count))
 
 
-def test_noise_repeats_with_its_seed_and_differs_between_rows():
-    experiment = TurnExperiment(steps_per_turn=5, angle_noise=1e-3)
-    axes = np.ones((2, 3))
-    first, again = (experiment.estimate(axes, BENT, np.random.default_rng(7)) for _ in range(2))
-    np.testing.assert_array_equal(first, again)
-    assert first[0] != first[1]
-
-
 @pytest.mark.parametrize("name", STEP_FORMULAS)
 def test_many_coarse_turns_do_not_overflow(name):
     experiment = TurnExperiment(1000, 3, name)
@@ -192,36 +178,15 @@ def test_many_coarse_turns_do_not_overflow(name):
     ("settings", "sentence"),
     [
         ({"turns": 0}, "^turns: expected a whole number of at least 1, got 0"),
-        ({"turns": -1}, "^turns: expected a whole number of at least 1, got -1"),
-        ({"turns": 1.5}, "^turns: expected a whole number of at least 1, got 1.5"),
         ({"steps_per_turn": 2}, "^steps_per_turn: expected a whole number of at least 3, got 2"),
         ({"step_formula": "euler"}, "^step_formula: expected one of .*, got 'euler'"),
         ({"angle_noise": -1e-9}, "^angle_noise: expected (a number of at least 0|one number)"),
         ({"angle_noise": [1e-9, 0]}, "^angle_noise: expected (a number of at least 0|one number)"),
-        ({"angle_noise": np.nan}, "^angle_noise: expected finite numbers"),
     ],
 )
 def test_impossible_experiments_are_refused(settings, sentence):
     with pytest.raises(ValueError, match=sentence):
         TurnExperiment(**settings)
-
-
-def test_noise_needs_a_generator():
-    with pytest.raises(ValueError, match=r"^rng: expected a numpy Generator"):
-        TurnExperiment(angle_noise=1e-3).estimate([1, 0, 0], BENT)
-
-
-@pytest.mark.parametrize("turns", [0, -1, 1.0, 0.5, True])
-@pytest.mark.parametrize(
-    "function",
-    [
-        lambda k: turn_estimate([0, 0, 0, 1], [1, 0, 0], k),
-        lambda k: exact_turn_estimate([1, 0, 0], BENT, k),
-    ],
-)
-def test_only_whole_turns(function, turns):
-    with pytest.raises(ValueError, match=r"^turns: expected a whole number of at least 1"):
-        function(turns)
 
 
 def test_error_of_no_rotation_at_all_is_refused():
@@ -234,19 +199,6 @@ def test_error_of_no_rotation_at_all_is_refused():
 def test_one_error_of_half_a_turn_across_the_axis_is_refused_among_others():
     with pytest.raises(ValueError, match=r"^error_quaternion: .*, got half a turn across\.$"):
         turn_estimate([[0, 0, 0, 1], [0, 1, 0, 0]], [1, 0, 0])
-
-
-@pytest.mark.parametrize(
-    "function",
-    [
-        lambda axis: turn_estimate([0, 0, 0, 1], axis),
-        lambda axis: exact_turn_estimate(axis, BENT),
-        lambda axis: TurnExperiment().error_quaternion(axis, BENT),
-    ],
-)
-def test_turn_about_no_axis_is_refused(function):
-    with pytest.raises(ValueError, match=r"^axis: expected nonzero vectors, got a zero vector"):
-        function([0, 0, 0])
 
 
 # The weighing design
@@ -366,19 +318,6 @@ def test_common_offset_on_yates_axes_is_not_the_weighing():
     np.testing.assert_allclose(moved, offset / 4, rtol=0, atol=8 * EPS)
 
 
-def test_fit_broadcasts_over_rows_of_estimates():
-    axes = random_axes(7)
-    estimates = np.random.default_rng(3).normal(size=(2, 4, 7))
-    estimates.setflags(write=False)
-    axes.setflags(write=False)
-    fit = fit_turns(estimates, axes, "each")
-    assert fit.sigma.shape == fit.scale_factor.shape == (2, 4, 3)
-    for index in np.ndindex(2, 4):
-        one = fit_turns(estimates[index], axes, "each")
-        np.testing.assert_allclose(fit.sigma[index], one.sigma, rtol=0, atol=64 * EPS)
-        np.testing.assert_allclose(fit.scale_factor[index], one.scale_factor, rtol=0, atol=64 * EPS)
-
-
 @pytest.mark.parametrize("scale", ["none", "common", "each"])
 def test_covariance_is_that_of_many_noisy_fits(scale):
     axes, count = random_axes(9), 20000
@@ -418,10 +357,8 @@ def test_axes_that_do_not_determine_the_unknowns_are_refused(axes, scale, unknow
             "one",
             "^scale_factor: expected one of none, common, each, got 'one'",
         ),
-        (np.zeros(4), PAIR_AXES, "none", r"^estimates: expected shape \(\.\.\., 3\)"),
         (np.zeros(3), PAIR_AXES[0], "none", r"^axes: expected shape \(m, 3\), got shape \(3,\)"),
         (np.zeros(3), np.zeros((3, 3)), "none", "^axes: expected nonzero vectors"),
-        ([0, np.nan, 0], PAIR_AXES, "none", "^estimates: expected finite numbers"),
     ],
 )
 def test_fit_refuses(estimates, axes, scale, sentence):
@@ -561,7 +498,6 @@ def test_no_unit_of_the_rates_makes_the_unknowns_undetermined(size):
         ({"earth_rate": 5e-5}, "^table_rates: expected a rate for each turn, got none"),
         ({"earth_rate": "known"}, "^earth_rate: expected rates or 'unknown', got 'known'"),
         ({"earth_rate": np.ones(3)}, r"^earth_rate: expected shape \(8,\), got shape \(3,\)"),
-        ({"table_rates": np.ones(3)}, r"^table_rates: expected shape \(\.\.\., 8\), got shape"),
         ({"table_rates": np.zeros(8)}, "^table_rates: expected 8 rates that are not zero"),
         ({"table_rates": RATES * (RATES[3] != RATES)}, "^table_rates: expected 8 rates that are"),
     ],

@@ -264,9 +264,6 @@ def test_speed_deviation_of_a_ship():
     [
         ([0.0, 0.0, 0.0], [0.0, 9.8, 0.0], "^angular_rate: expected nonzero vectors"),
         ([7e-5, 0.0, 0.0], [0.0, 0.0, 0.0], "^specific_force: expected nonzero vectors"),
-        ([7e-5, 0.0], [0.0, 9.8, 0.0], r"^angular_rate: expected shape \(..., 3\)"),
-        ([np.nan, 0.0, 0.0], [0.0, 9.8, 0.0], "^angular_rate: expected finite"),
-        ([7e-5, 0.0, 0.0], [0.0, np.inf, 0.0], "^specific_force: expected finite"),
         ([0.0, 7e-5, 0.0], [0.0, 9.8, 0.0], "^angular_rate, specific_force: .* at a pole"),
         ([0.0, -7e-5, 0.0], [0.0, 9.8, 0.0], "^angular_rate, specific_force: .* at a pole"),
         (np.ones((3, 3)), np.ones((2, 3)), "^angular_rate, specific_force: .* broadcast"),
@@ -348,21 +345,6 @@ def test_the_latitude_keeps_its_digits_near_the_pole():
     assert found.latitude == pytest.approx(place, abs=1e-15)
 
 
-def test_every_field_has_all_the_leading_axes():
-    many = alignment_errors(np.zeros(3), 0.1, [[0.5], [0.6]], GYRO_BIAS, ACCELEROMETER_BIAS)
-    assert [field.shape for field in many] == [(2, 3)] * 4 + [(2, 3, 4)]
-    assert all(field.flags.writeable for field in many)
-
-
-def test_quaternions_of_any_norm_are_attitudes():
-    attitude = from_euler_angles(0.4, 0.3, 0.2)
-    for factor in (-1.0, 3.0, 1e-9, 1e50):
-        found = to_euler_angles(factor * attitude)
-        assert np.allclose(found, (0.4, 0.3, 0.2), atol=1e-14)
-        rate, _ = static_imu(factor * attitude, LATITUDE)
-        assert np.linalg.norm(rate) == pytest.approx(EARTH_RATE)
-
-
 # The Earth's radius
 
 
@@ -391,19 +373,6 @@ def test_who_outruns_the_earth_sees_north_behind():
     # At latitude 80 the ground moves East at 80 m/s.
     deviation = speed_error(np.radians(80.0), [10.0, -300.0])
     assert abs(deviation) > np.pi / 2
-
-
-@pytest.mark.parametrize("radius", [0.0, -1.0, np.nan, np.inf])
-def test_a_radius_is_a_positive_number(radius):
-    for formula in (
-        lambda: navigation_frame_rate(LATITUDE, [1.0, 2.0], radius),
-        lambda: speed_error(LATITUDE, [1.0, 2.0], radius),
-        lambda: operating_heading_error(
-            LATITUDE, [1.0, 2.0], [0, 0], [0, 0], [0, 0], 0, 0, 0, radius
-        ),
-    ):
-        with pytest.raises(ValueError, match=r"^radius: expected"):
-            formula()
 
 
 def north_term(north, east):

@@ -528,7 +528,6 @@ GOOD = {
     [
         ({"increments.interval": -1.0}, r"^increments\.interval: expected a positive number"),
         ({"increments.velocity": np.ones((3, 3))}, r"^increments\.velocity: expected as many"),
-        ({"increments.angle": np.full((4, 3), np.nan)}, r"^increments\.angle: expected finite"),
         ({"increments.angle": np.zeros(3)}, r"^increments\.angle: expected shape \(..., n, 3\)"),
         ({"every": 3}, "^every: expected a divisor"),
         ({"every": 0}, "^every: expected a whole number"),
@@ -536,8 +535,6 @@ GOOD = {
             {"gains": Gains(1.0, 0.0)},
             "^gains, increments.interval: expected a horizon that follows",
         ),
-        ({"gains": Gains(0.0, np.nan)}, r"^gains\.integral: expected finite"),
-        ({"azimuth_rate": np.inf}, "^azimuth_rate: expected finite"),
         ({"gains": Gains(-1e-3, 1e-7)}, "^gains, increments.interval: .* got -0.0098"),
         ({"gains": Gains(0.0, -1e-7)}, "^gains, increments.interval: expected"),
         ({"gains": Gains(0.0, 0.11)}, "^gains, increments.interval: expected"),
@@ -551,13 +548,10 @@ GOOD = {
             {"azimuth_rate": 7e-3, "increments.interval": 20.0},
             "^azimuth_rate: expected rad/s that turn the horizon by at most",
         ),
-        ({"start": None}, r"^start: expected a LevelFrame\(attitude, rate\), got None"),
         (
             {"start": align([5e-5, 5.3e-5, 0.0], [0.0, 9.8, 0.0])},
             r"^start: .* got an alignment; say initial_level_frame\(alignment\)",
         ),
-        ({"gains": None}, r"^gains: expected a Gains\(proportional, integral\), got None"),
-        ({"gains": damped_gains}, "^gains: expected a Gains.*, got the function damped_gains"),
         (
             {"start": LevelFrame(np.ones(4), np.array([15.0, 0.0]))},
             r"^start\.rate: expected rad/s that turn",
@@ -575,25 +569,12 @@ GOOD = {
             r"^start\.rate: expected shape \(..., 2\)",
         ),
         ({"start": LevelFrame(np.zeros(4), np.zeros(2))}, r"^start\.attitude: expected nonzero"),
-        ({"azimuth_rate": np.zeros(3)}, r"^azimuth_rate: expected shape \(..., 4\)"),
         ({"azimuth_rate": np.zeros((2, 4)), "increments.angle": np.zeros((3, 4, 3))}, "broadcast"),
     ],
 )
 def test_refusals(arguments, words):
     with pytest.raises(ValueError, match=words):
         propagate_level_frame(**replaced(GOOD, arguments))
-
-
-@pytest.mark.parametrize("value", [0.0, -1.0, np.nan])
-def test_tunings_refuse(value):
-    with pytest.raises(ValueError, match="radius: expected"):
-        schuler_gains(value)
-    with pytest.raises(ValueError, match="natural_frequency: expected"):
-        damped_gains(value, 9.8)
-    with pytest.raises(ValueError, match="gravity: expected"):
-        damped_gains(0.02, value)
-    with pytest.raises(ValueError, match="damping: expected"):
-        damped_gains(0.02, 9.8, value)
 
 
 def test_tunings_are_what_they_say():

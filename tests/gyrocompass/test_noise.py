@@ -73,17 +73,6 @@ def test_rows_are_gyros_of_their_own():
     assert_standard_normal(found[..., 4].reshape(8000, 6) / deviation)
 
 
-@pytest.mark.parametrize("shape", [(), (4,), (2, 3)], ids=str)
-def test_samples_have_the_shape_that_was_asked_for(shape):
-    assert MIXED.samples(7, np.random.default_rng(0), *shape).shape == (*shape, 7)
-
-
-def test_same_seed_gives_the_same_noise_and_another_one_does_not():
-    first, again, other = (MIXED.samples(9, np.random.default_rng(seed)) for seed in (5, 5, 6))
-    np.testing.assert_array_equal(first, again)
-    assert (first != other).all()
-
-
 def test_noise_scales_with_its_sizes():
     double = GyroNoise(
         2 * MIXED.white, 2 * MIXED.gauss_markov, MIXED.correlation_time, MIXED.interval
@@ -299,22 +288,6 @@ def test_impossible_noise_is_refused_by_name(name):
         GyroNoise(**{name: [1.0, 2.0]})
     with pytest.raises(FrozenInstanceError):
         setattr(GyroNoise(), name, 1.0)
-
-
-def test_noise_may_be_zero_and_times_may_not():
-    assert not GyroNoise(0, 0).samples(10, np.random.default_rng(0)).any()
-    for name in ("correlation_time", "interval"):
-        with pytest.raises(ValueError, match=rf"^{name}: expected a positive time, got 0\.$"):
-            GyroNoise(**{name: 0})
-
-
-@pytest.mark.parametrize("count", [0, -3, 2.0, True])
-def test_counts_that_are_no_counts_are_refused(count):
-    words = r"^{}: expected a whole number of at least 1, got"
-    with pytest.raises(ValueError, match=words.format("count")):
-        MIXED.samples(count, np.random.default_rng(0))
-    with pytest.raises(ValueError, match=words.format("count")):
-        MIXED.standard_deviation_of_mean(count)
 
 
 @pytest.mark.parametrize("correlation_time", [1e6, 1e9, 1e15])

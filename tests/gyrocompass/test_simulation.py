@@ -113,7 +113,6 @@ def test_a_current_is_in_the_speed_error_and_not_in_the_horizon(damping):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"gyro_bias_body": [1e-7, np.nan, 0.0]}, "^gyro_bias_body: expected finite"),
         (
             {"gyro_bias_body": np.zeros((7, 3))},
             r"^gyro_bias_body, accelerometer_bias_body: expected shapes \(\.\.\., 120, 3\) or",
@@ -122,38 +121,17 @@ def test_a_current_is_in_the_speed_error_and_not_in_the_horizon(damping):
             {"accelerometer_bias_body": np.zeros((120, 3))},
             r"^gyro_bias_body, accelerometer_bias_body: .* got \(3,\) and \(120, 3\)",
         ),
-        (
-            {"accelerometer_bias_body": [0.0, np.inf, 0.0]},
-            "^accelerometer_bias_body: expected finite",
-        ),
         ({"tuning_factor": 0.0}, "^tuning_factor: expected a positive number"),
-        ({"damping": np.nan}, "^damping: expected finite"),
         ({"damping": -0.5}, "^damping: expected a number of at least 0, got -0.5"),
-        (
-            {"speed_log_error": [0.1, np.nan], "speed_log": True},
-            "^speed_log_error: expected finite",
-        ),
         (
             {"speed_log_error": np.zeros((120, 2)), "speed_log": True},
             r"^speed_log_error: .* \(121, 2\) or \(2,\), got",
         ),
         ({"speed_log_error": [0.1, 0.0]}, "^speed_log_error: expected zeros without a log"),
-        ({"tilt": np.inf}, "^tilt: expected finite"),
         ({"tilt": 1.0}, r"^tilt: expected rad, at most 0\.1, got 1"),
-        ({"speed_log": "True"}, "^speed_log: expected True or False, got 'True'"),
-        ({"speed_log": 5.0}, r"^speed_log: expected True or False, got 5\.0"),
-        ({"speed_log": np.zeros((121, 2))}, "^speed_log: expected True or False, got an array"),
         ({"gyro_bias_body": [0.05, 0.0, 0.0]}, "^gyro_bias_body: expected rad/s, .* got 0.05. Is"),
     ],
 )
 def test_a_voyage_refuses(arguments, words):
     with pytest.raises(ValueError, match=words):
         simulate_gyrocompass(WAY, **{"gyro_bias_body": np.zeros(3), **arguments})
-
-
-@pytest.mark.parametrize(("name", "place"), [("latitude", 0), ("speed", 1), ("interval", 4)])
-def test_a_ship_refuses(name, place):
-    arguments = [0.9, 5.0, 0.3, 0.5, 60.0]
-    arguments[place] = np.nan
-    with pytest.raises(ValueError, match=rf"^{name}: expected"):
-        ship_manoeuvre(*arguments)

@@ -259,9 +259,6 @@ def test_coarse_steps_see_what_fine_ones_see() -> None:
         ({"gyro_noise": 0.1}, r"gyro_noise: expected"),
         ({"gyro_bias": np.zeros((2, 3))}, r"gyro_bias: expected shape \(3,\), got \(2, 3\)"),
         ({"damping": -1.0}, r"damping: expected a number of at least 0, got -1\.0"),
-        ({"damping": "much"}, r"damping: expected real numbers"),
-        ({"damping": np.nan}, r"damping: expected finite"),
-        ({"speed_log": "no"}, r"speed_log: expected True or False, got 'no'"),
     ],
 )
 def test_a_bad_compass_is_refused(change: dict, words: str) -> None:
@@ -277,10 +274,7 @@ def test_a_pole_is_refused() -> None:
 @pytest.mark.parametrize(
     ("steps", "words"),
     [
-        ("COARSE", r"steps: expected a Steps"),
-        (None, r"steps: expected a Steps"),
         (Steps(turn=0.0), r"steps\.turn: expected a positive number"),
-        (Steps(sea=np.nan), r"steps\.sea: expected finite"),
         (Steps(speed=120.0), r"steps\.speed: expected at most 18 s, as in COARSE, got 120"),
         (Steps(rolling=1.0), r"steps\.rolling: expected at least a minute, got 1\.0"),
     ],

@@ -95,16 +95,11 @@ def test_smooth_step_rises_once():
     ("arguments", "words"),
     [
         ({"latitude": np.pi / 2}, "^latitude: expected at most 89.9 degrees"),
-        ({"latitude": np.nan}, "^latitude: expected finite"),
         ({"velocity": np.zeros((1, 2))}, r"^velocity: expected shape \(n \+ 1, 2\)"),
         ({"velocity": np.zeros((2, 3, 2))}, r"^velocity: expected shape \(n \+ 1, 2\)"),
-        ({"heading": np.zeros(3)}, "^velocity, heading, pitch, roll: expected leading axes"),
-        ({"roll": np.nan}, "^roll: expected finite"),
         ({"interval": 0.0}, "^interval: expected a positive number"),
-        ({"gravity": np.inf}, "^gravity: expected finite"),
         ({"gravity": -9.8}, "^gravity: expected m/s\\^2, 1.2 to 50, got -9.8"),
         ({"radius": 0.0}, "^radius: expected a positive number"),
-        ({"radius": np.nan}, "^radius: expected finite"),
         ({"heading": np.zeros((5, 1))}, r"^heading: expected shape \(n \+ 1,\)"),
         ({"pitch": np.zeros((1, 5))}, r"^pitch: expected shape \(n \+ 1,\)"),
     ],
@@ -153,10 +148,3 @@ def test_the_velocity_is_a_copy():
     found = vehicle_trajectory(LATITUDE, velocity, 0.0, interval=1.0)
     velocity[0] = 99.0
     assert not found.velocity.any()
-
-
-def test_smooth_step_refuses_nonsense():
-    with pytest.raises(ValueError, match=r"^begin: expected finite"):
-        smooth_step(0.0, np.nan, 1.0)
-    with pytest.raises(ValueError, match=r"^duration: expected a positive number"):
-        smooth_step(0.0, 0.0, 0.0)
