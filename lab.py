@@ -87,7 +87,7 @@ OF_DIFFERENT_AGE = [
 NEWEST_EXTRAS = ("book", "cluster", "compiled", "lab", "test", "dev")
 # Paths are seen from where the caller is; -P: modules are not.
 BOOK_PROGRAM = ("-P", "-m", "driftlab.book")
-LONG = ("browser", "kernel", "setup", "slow")
+LONG = ("browser", "kernel", "long", "setup", "slow")
 # Of the site and of a class, which only some change: .ci/run tries them by name.
 ELSEWHERE = ["--ignore=tests/site", "--ignore=tests/class"]
 QUICK = ["--hypothesis-profile=quick", "-m", " and ".join(f"not {mark}" for mark in LONG)]
@@ -134,8 +134,8 @@ def fresh(arguments: list[str]) -> int:
 def test(arguments: list[str]) -> int:
     """Check the project, or run pytest alone if there are arguments for it."""
     set_up()
-    marks = QUICK if "--quick" in arguments else []
-    chosen = [argument for argument in arguments if argument not in ("--quick", "--site")]
+    marks = QUICK if "--quick" in arguments else ["-m", "long"] if "--long" in arguments else []
+    chosen = [each for each in arguments if each not in ("--quick", "--long", "--site")]
     if "--site" in arguments:
         if not (HOME / os.environ.setdefault("DRIFTLAB_SITE", SITE)).is_dir():
             raise Trouble("There is no site to test; 'python3 lab.py site' builds it.")
@@ -143,15 +143,15 @@ def test(arguments: list[str]) -> int:
         # Pages that compute seldom wait: two processors have enough of two.
         at_once = [*AT_ONCE, "-n", "2"]
         return run("-m", "pytest", *at_once, *chosen, *(() if paths else ["tests/site"]))
-    if chosen:
-        return run("-m", "pytest", *marks, *chosen)
+    if chosen or "--long" in arguments:
+        return run("-m", "pytest", *marks, *(chosen or AT_ONCE))
     begun = time.monotonic()
     checks = {"ruff": ["-m", "ruff", "check"], "mypy": ["-m", "mypy"]}
     if "importlinter" in project()["tool"]:
         linter = "from importlinter.cli import lint_imports_command; lint_imports_command()"
         checks["import-linter"] = ["-c", linter]
     # pytest comes last so that its summary closes the output.
-    checks["pytest"] = ["-m", "pytest", *AT_ONCE, *ELSEWHERE, *marks]
+    checks["pytest"] = ["-m", "pytest", *AT_ONCE, *ELSEWHERE, *(marks or ("-m", "not long"))]
     codes = {name: run(*command) for name, command in checks.items()}
     failed = [name for name, code in codes.items() if code]
     minutes, seconds = divmod(round(time.monotonic() - begun), 60)

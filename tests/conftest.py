@@ -15,7 +15,7 @@ from hypothesis import settings
 
 from limits import at_most, limit_of
 
-settings.register_profile("driftlab", derandomize=True, deadline=None, max_examples=60)
+settings.register_profile("driftlab", derandomize=True, deadline=None, max_examples=40)
 settings.register_profile("quick", settings.get_profile("driftlab"), max_examples=20)
 settings.load_profile("driftlab")
 

@@ -21,7 +21,7 @@ LIMIT = 300
 LIMIT_OF_LONG = 1200
 """The same for a test whose mark says that it takes long."""
 
-LONG = ("browser", "kernel", "setup", "slow")
+LONG = ("browser", "kernel", "long", "setup", "slow")
 
 
 class TooLong(OutcomeException):

@@ -42,15 +42,9 @@ def recipes() -> list[Recipe]:
 
 
 RECIPES_FOUND = recipes()
-every_recipe = pytest.mark.parametrize("recipe", RECIPES_FOUND, ids=lambda recipe: recipe.title)
-every_task = pytest.mark.parametrize(
-    ("task", "recipe"),
-    [*zip(TASKS, RECIPES_FOUND, strict=True)],
-    ids=[task["title"] for task in TASKS],
-)
 
 
-@every_recipe
+@pytest.mark.parametrize("recipe", RECIPES_FOUND, ids=lambda recipe: recipe.title)
 def test_recipe_runs_alone_and_prints(recipe, capsys):
     """In a namespace of its own, so that nothing comes from a cell above; warnings fail."""
     exec(compile(recipe.code, recipe.title, "exec"), {"__name__": "__main__"})
@@ -59,12 +53,12 @@ def test_recipe_runs_alone_and_prints(recipe, capsys):
     assert np.isfinite(numbers).all()
 
 
-@every_recipe
-def test_recipe_is_short_and_says_what_is_the_readers(recipe):
-    assert recipe.title.startswith("I want ")
-    assert len([line for line in recipe.code.splitlines() if line.strip()]) <= LINES
-    assert max(map(len, recipe.code.splitlines())) <= 100
-    assert "# yours" in recipe.code
+def test_recipes_are_short_and_say_what_is_the_readers():
+    for recipe in RECIPES_FOUND:
+        assert recipe.title.startswith("I want ")
+        assert len([line for line in recipe.code.splitlines() if line.strip()]) <= LINES
+        assert max(map(len, recipe.code.splitlines())) <= 100, recipe.title
+        assert "# yours" in recipe.code, recipe.title
 
 
 def test_every_code_cell_belongs_to_a_recipe():
@@ -85,24 +79,18 @@ def test_contents_list_every_recipe_and_nothing_else():
     ]
 
 
-@every_task
-def test_package_knows_the_task_as_the_page_has_it(task, recipe):
-    assert (task["subject"], task["title"]) == (recipe.subject, recipe.title)
-    place, functions = re.search(
-        r"^More: \[.*\]\((.*)\.ipynb\), (.*)\.$", recipe.text, re.M
-    ).groups()
-    assert place.split("_")[0] == task["chapter"]
-    assert re.findall(r"`driftlab\.([\w.]+)`", functions) == task["functions"]
-    assert f"{task['functions'][0].split('.')[-1]}" in recipe.code
-    for word in task["words"]:  # who looks for it on the page finds it too
-        assert word.lower() in recipe.text.lower()
-
-
-@every_task
-def test_functions_of_a_task_are_where_it_says(task, recipe):
-    for name in task["functions"]:
-        module, _, function = f"driftlab.{name}".rpartition(".")
-        assert getattr(import_module(module), function) is not None
+def test_package_knows_the_tasks_as_the_page_has_them():
+    for task, recipe in zip(TASKS, RECIPES_FOUND, strict=True):
+        assert (task["subject"], task["title"]) == (recipe.subject, recipe.title)
+        more = re.search(r"^More: \[.*\]\((.*)\.ipynb\), (.*)\.$", recipe.text, re.M)
+        assert more[1].split("_")[0] == task["chapter"]
+        assert re.findall(r"`driftlab\.([\w.]+)`", more[2]) == task["functions"]
+        assert f"{task['functions'][0].split('.')[-1]}" in recipe.code
+        for word in task["words"]:  # who looks for it on the page finds it too
+            assert word.lower() in recipe.text.lower()
+        for name in task["functions"]:
+            module, _, function = f"driftlab.{name}".rpartition(".")
+            assert getattr(import_module(module), function) is not None
 
 
 @pytest.mark.parametrize(

@@ -131,13 +131,6 @@ def test_nobody_changes_the_weights_of_an_algorithm():
     assert mine != dataclasses.replace(mine, coning={(0, 1): 0.6})
 
 
-def arrays_in(value):
-    """All arrays that a constant holds."""
-    if isinstance(value, np.ndarray):
-        return [value]
-    return [each for part in value for each in arrays_in(part)] if isinstance(value, tuple) else []
-
-
 def test_nobody_changes_the_rows_of_a_recording_through_it():
     rows = np.zeros((3, 3))
     record = Recording(gyro=rows, accelerometer=rows, interval=0.1, kind="rates")

@@ -170,9 +170,8 @@ def test_zero_quaternion_is_refused(function):
 
 # Around five the scan begins to cut into blocks; squares fill their blocks, their neighbours not.
 @pytest.mark.parametrize("count", [1, 2, 4, 5, 6, 7, 9, 10, 35, 36, 37, 40, 1000])
-@pytest.mark.parametrize("leading", [(), (2,), (2, 3)])
-def test_cumulative_product_is_the_loop(count, leading):
-    increments = random_quaternions(*leading, count, seed=count)
+def test_cumulative_product_is_the_loop(count):
+    increments = random_quaternions(*[(), (2,), (2, 3)][count % 3], count, seed=count)
     product = IDENTITY
     products = cumulative_product(increments)
     assert products.shape == increments.shape

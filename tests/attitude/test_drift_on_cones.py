@@ -1,5 +1,7 @@
 """Drift on a cone from one step: against many, the narrow cone's formula, fifty digits."""
 
+from itertools import product
+
 import mpmath
 import numpy as np
 import pytest
@@ -44,20 +46,19 @@ def narrow_drift(name, half_angle, x):
 
 
 @every_algorithm
-@pytest.mark.parametrize(("count", "turns"), RHYTHMS)
-@pytest.mark.parametrize("degrees", [1.0, 20.0, 60.0, 90.0])
-def test_one_step_tells_the_drift_of_many(name, count, turns, degrees):
-    half_angle = np.radians(degrees)
-    if (name, count, degrees) == ("rotation-vector-3", 30, 90.0):
-        with pytest.raises(ValueError, match="less than half a turn a step"):
-            coning_drift(name, half_angle, 1, turns / count)
-        return
-    expected = coning_drift(name, half_angle, 1, turns / count)
-    # Some eps a step; half a turn or more of drift cannot be told from what is left of it.
-    bound = 16 * EPS * count
-    if abs(expected) * turns < np.pi:
-        measured = measured_drift(name, half_angle, count, turns)
-        assert measured == pytest.approx(expected, rel=1e-9, abs=bound)
+def test_one_step_tells_the_drift_of_many(name):
+    for (count, turns), degrees in product(RHYTHMS, [1.0, 20.0, 60.0, 90.0]):
+        half_angle = np.radians(degrees)
+        if (name, count, degrees) == ("rotation-vector-3", 30, 90.0):
+            with pytest.raises(ValueError, match="less than half a turn a step"):
+                coning_drift(name, half_angle, 1, turns / count)
+            continue
+        expected = coning_drift(name, half_angle, 1, turns / count)
+        # Some eps a step; half a turn or more of drift cannot be told from what is left of it.
+        bound = 16 * EPS * count
+        if abs(expected) * turns < np.pi:
+            measured = measured_drift(name, half_angle, count, turns)
+            assert measured == pytest.approx(expected, rel=1e-9, abs=bound), (count, degrees)
 
 
 @every_algorithm
@@ -134,12 +135,12 @@ def drift_in_fifty_digits(name, half_angle, x):
 
 
 @every_algorithm
-@pytest.mark.parametrize("x", [1e-3, 0.05, 0.3])
-@pytest.mark.parametrize("half_angle", [1e-4, 0.02, 1.0])
-def test_rounding_leaves_some_eps_a_step(name, half_angle, x):
-    a_step = coning_drift(name, half_angle, x / (2 * np.pi), 1.0) * CONING_ALGORITHMS[name].samples
-    expected = drift_in_fifty_digits(name, half_angle, x)
-    assert a_step == pytest.approx(expected, rel=1e-12, abs=8 * EPS)
+def test_rounding_leaves_some_eps_a_step(name):
+    samples = CONING_ALGORITHMS[name].samples
+    for half_angle, x in product([1e-4, 0.02, 1.0], [1e-3, 0.05, 0.3]):
+        a_step = coning_drift(name, half_angle, x / (2 * np.pi), 1.0) * samples
+        expected = drift_in_fifty_digits(name, half_angle, x)
+        assert a_step == pytest.approx(expected, rel=1e-12, abs=8 * EPS), (half_angle, x)
 
 
 @every_algorithm
@@ -188,9 +189,8 @@ def test_a_whole_turn_a_step_is_refused_where_k_is_infinite():
     assert np.isfinite(coning_drift("rotation-vector-2", 2.0, 1.0, 0.8))
 
 
-@pytest.mark.parametrize("lean", [0.0, 0.2, 1.0, 1.5, 2.0, 3.0, np.pi])
-@pytest.mark.parametrize("size", [0.3, 2.0, 4.0, 6.0])
-@pytest.mark.parametrize("drift", [-0.4, 0.0, 0.9])
+@pytest.mark.parametrize("lean", [0.0, 0.2, 1.5, 2.0, np.pi])
+@pytest.mark.parametrize(("size", "drift"), [(0.3, 0.9), (2.0, -0.4), (4.0, 0.0), (6.0, 0.9)])
 def test_an_error_about_a_leaning_axis_swings_as_the_turning_itself_shows(lean, size, drift):
     """The part of a rotation about an axis, while it goes on about another one, step by step."""
     turned = np.linspace(0, 2 * np.pi, 20_001)

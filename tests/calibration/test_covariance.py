@@ -23,7 +23,7 @@ def in_the_room(start, turns):
     return np.array(vectors), np.array(between)
 
 
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", range(6))
 def test_orientations_are_those_of_rotations(seed):
     rng = np.random.default_rng(seed)
     start, turns = int(rng.integers(24)), rng.integers(len(TURNS), size=6)
@@ -33,7 +33,7 @@ def test_orientations_are_those_of_rotations(seed):
     np.testing.assert_allclose(names, expected, atol=1e-12)
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(12))
 def test_after_an_exchange_turns_about_other_axes_stay_in_the_room(seed):
     rng = np.random.default_rng(seed)
     start, turns = int(rng.integers(24)), rng.integers(len(TURNS), size=6)

@@ -251,7 +251,7 @@ def test_process_noise_is_what_many_small_steps_add_up_to():
 
 def test_process_noise_has_the_spread_of_navigated_noise():
     """Noise put into increments and navigated, against the covariance; one step of 4 s."""
-    noise, latitude, runs = ImuNoise(1e-5, 1e-2), np.radians(37.5), 4000
+    noise, latitude, runs = ImuNoise(1e-5, 1e-2), np.radians(37.5), 400
     record = turntable_trajectory(Scheme("", dwell=4.0), latitude, 0.1)
     rng = np.random.default_rng(11)
     imu_errors = ImuErrors(*(np.zeros((runs, *shape)) for shape in ((3,), (3, 3), (3,), (3, 3))))

@@ -100,8 +100,13 @@ DOUBTS = {
 }
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("slip", DOUBTS)
+@pytest.mark.parametrize(
+    "slip",
+    [
+        pytest.param(slip, marks=pytest.mark.long if k % 2 else pytest.mark.slow)
+        for k, slip in enumerate(DOUBTS)
+    ],
+)
 def test_slip_is_named(slip):
     inputs, words = DOUBTS[slip]
     with pytest.warns(

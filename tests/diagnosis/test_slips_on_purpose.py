@@ -1,7 +1,8 @@
 """Slips on purpose are named.
 
 Each is made on one of three schemes, with a reference velocity that has noise or at a table that
-stands; all 156 combinations were tried once.
+stands; all 156 combinations were tried once. Three of four are for ``lab.py test --long``; the
+pieces of which all are made have tests of their own, in `test_slips`.
 """
 
 import re
@@ -123,8 +124,13 @@ def calibrated(run):
             return failure
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("slip", "place"), [(slip, k) for k, slip in enumerate(SLIPS)])
+@pytest.mark.parametrize(
+    ("slip", "place"),
+    [
+        pytest.param(slip, k, marks=pytest.mark.long if k % 4 else pytest.mark.slow)
+        for k, slip in enumerate(SLIPS)
+    ],
+)
 def test_slip_is_named(slip, place):
     change, words = SLIPS[slip]
     run = inputs(NAMES[place % 3], noisy=place % 2 == 0)

@@ -87,7 +87,7 @@ def test_what_uses_a_limit_up_passes_and_what_goes_beyond_fails(latitude: float)
     assert TypeTest(latitude, beyond).passed == dict.fromkeys(LIMITS, False)
 
 
-@pytest.mark.parametrize("latitude", [0.0, 45.0, 75.0, -60.0])
+@pytest.mark.parametrize("latitude", [75.0, -60.0])
 def test_a_drift_takes_the_same_share_at_every_latitude(
     latitude: float,
 ) -> None:
@@ -99,7 +99,7 @@ def test_a_drift_takes_the_same_share_at_every_latitude(
 
 def test_an_offset_takes_a_share_with_the_sine_of_the_latitude() -> None:
     offset = Gyrocompass(accelerometer_bias=(0.0, 0.0, milli * g))
-    for latitude in np.radians([0.0, 30.0, 60.0]):
+    for latitude in np.radians([0.0, 60.0]):
         closed = milli * g / gravity(latitude) * np.tan(latitude)
         found = marine_type_test(offset, latitude, steps=Steps(turn=3.0)).measured["settle point"]
         assert found == pytest.approx(closed, rel=5e-3, abs=1e-6)
@@ -120,8 +120,7 @@ def test_a_turn_shows_a_drift_four_times() -> None:
     assert abs(by_log - closed * error) < alone
 
 
-@pytest.mark.parametrize("latitude", [0.0, 30.0, 60.0])
-@pytest.mark.parametrize("mounted", [(1.0, 0.0, 0.0), (0.0, 0.0, 1.0)])
+@pytest.mark.parametrize(("latitude", "mounted"), [(0.0, (1.0, 0.0, 0.0)), (60.0, (0.0, 0.0, 1.0))])
 def test_in_a_turn_an_accelerometer_bias_does_most_along_the_bow(
     latitude: float, mounted: tuple[float, float, float]
 ) -> None:
@@ -141,7 +140,7 @@ def test_a_turn_counts_in_the_worst_mounting() -> None:
     # Past braking as in the test; the draws of a compass without noise do not matter.
     before = int((2 * REST + 70 * knot / BRAKING) // 3.0) - 1
     others = []
-    for aside in np.radians(np.arange(7.0, 367.0, 20.0)):
+    for aside in np.radians(np.arange(7.0, 367.0, 40.0)):
         errors = _heading_errors(_turned(mixed, aside), way, np.random.default_rng(0))
         others.append(np.abs(errors[before:] - errors[before]).max())
     assert max(others) < 1.01 * found
@@ -153,7 +152,7 @@ def test_in_a_turn_a_drift_to_the_east_does_what_any_can(latitude: float) -> Non
     """And on a steady way others do more, but far within the limit."""
     place, rng = np.radians(latitude), np.random.default_rng(0)
     off, steady = [], []
-    for aside in np.radians(np.arange(0.0, 360.0, 20.0)):
+    for aside in np.radians(np.arange(0.0, 360.0, 40.0)):
         compass = _turned(TO_THE_EAST, aside)
         off.append(_turn(compass, _turning(place, 70 * knot, 3.0), 70 * knot, rng)["turn"])
         way = _speeding_up(place, 70 * knot, 18.0)
