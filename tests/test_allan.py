@@ -65,16 +65,6 @@ def test_blocks_of_a_long_record_add_up_to_the_definition(lead):
         np.testing.assert_allclose(found, (changes**2).mean(axis=-1) / 2, rtol=1e-11)
 
 
-def test_rows_are_sensors_of_their_own():
-    rates = np.random.default_rng(2).normal(size=(2, 3, 500))
-    found = allan_deviation(rates, 0.1)
-    assert found.deviation.shape[:2] == found.upper.shape[:2] == (2, 3)
-    for index in np.ndindex(2, 3):
-        alone, row = allan_deviation(rates[index], 0.1), found.row(*index)
-        np.testing.assert_allclose(row.deviation, alone.deviation, rtol=1e-12)
-        np.testing.assert_allclose(row.degrees_of_freedom, alone.degrees_of_freedom, rtol=1e-9)
-
-
 def test_a_long_record_far_from_zero_keeps_its_digits():
     """Half a million samples whose mean is a million times their noise."""
     rates = np.random.default_rng(3).normal(size=500_000)
@@ -286,11 +276,3 @@ def test_samples_of_a_size_that_cannot_be_are_refused(size):
 def test_a_confidence_is_a_probability(confidence):
     with pytest.raises(ValueError, match=r"^confidence: expected a number between 0 and 1, got"):
         allan_deviation([1.0, 2.0, 3.0], 0.1, confidence=confidence)
-
-
-@pytest.mark.parametrize("name", TERMS)
-def test_noise_is_not_negative(name):
-    with pytest.raises(
-        ValueError, match=rf"^{name}: expected a number of at least 0, got -1\.0\.$"
-    ):
-        NoiseTerms(**{name: -1.0})

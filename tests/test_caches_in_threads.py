@@ -99,13 +99,6 @@ def test_threads_find_the_same(name, hasty_threads):
                 np.testing.assert_array_equal(one, other, err_msg=place)
 
 
-def test_threads_are_given_the_same_model(hasty_threads):
-    """Models are told apart as objects: a filter refuses an earlier pass that is of another."""
-    for _ in range(20):
-        models = at_once(lambda: ERROR_MODELS["averaged"].with_states("lever arms"))
-        assert len(set(map(id, models))) == 1
-
-
 def test_every_cache_is_filled_by_these_calls():
     for kept in caches().values():
         kept.cache_clear()

@@ -110,10 +110,6 @@ def test_psi_and_phi_angles_differ_by_the_position_angle():
     assert order_of(gap) > 1.9
 
 
-def test_local_axes_of_the_test_are_local_axes():
-    np.testing.assert_allclose(local_axes(0.0, 0.0), [[0, 1, 0], [0, 0, 1], [1, 0, 0]], atol=1e-15)
-
-
 def test_headings_are_mirrored_and_wrapped():
     degrees = np.array([0.0, 30.0, 90.0, 270.0, 350.0, -30.0])
     found = np.degrees(mirror_heading(np.radians(degrees)))

@@ -7,7 +7,6 @@ from hypothesis.extra.numpy import arrays
 
 from driftlab.imu import (
     NO_ERRORS,
-    TYPICAL_ERRORS,
     ImuErrors,
     ImuNoise,
     PriorStandardDeviations,
@@ -69,14 +68,6 @@ def test_compensation_undoes_the_matrix_after_the_bias():
     )
 
 
-@given(rows, rows)
-def test_perfect_unit_says_the_truth(angle, velocity):
-    said = measure(Increments(0.1, angle, velocity), NO_ERRORS)
-    np.testing.assert_array_equal(said[1:], [angle, velocity])
-    found = compensate(Increments(0.1, angle, velocity), NO_ERRORS)
-    np.testing.assert_array_equal(found[1:], [angle, velocity])
-
-
 def test_each_of_many_units_has_its_own_errors():
     rng = np.random.default_rng(4)
     many = random_imu_errors(PriorStandardDeviations(scale_factor=0.1, installation=0.1), rng, 2, 3)
@@ -103,22 +94,6 @@ def test_noise_is_white_and_as_large_as_stated(interval):
     _, angle, velocity = measure(true, NO_ERRORS, noise, np.random.default_rng(1))
     root = np.sqrt(interval)
     assert_normal(np.hstack([angle / 3e-4, velocity / 5e-3]), root)
-
-
-def test_noise_comes_on_top_of_what_is_said():
-    noise, imu_errors = ImuNoise(1e-3, 1e-2), TYPICAL_ERRORS
-    true = Increments(0.1, np.ones((5, 3)), 2 * np.ones((5, 3)))
-    plain = measure(true, imu_errors)
-    noisy = measure(true, imu_errors, noise, np.random.default_rng(7))
-    alone = measure(
-        Increments(0.1, np.zeros((5, 3)), np.zeros((5, 3))),
-        NO_ERRORS,
-        noise,
-        np.random.default_rng(7),
-    )
-    for total, plain_part, random in zip(noisy[1:], plain[1:], alone[1:], strict=True):
-        assert (random != 0).all()
-        np.testing.assert_allclose(total - plain_part, random, rtol=0, atol=8 * EPS)
 
 
 def test_units_draw_noise_of_their_own():

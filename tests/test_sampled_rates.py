@@ -97,17 +97,6 @@ def test_noise_is_magnified_at_the_ends_and_averaged_in_the_middle():
         np.testing.assert_allclose(weights.sum(axis=1)[20:-20], 1, rtol=1e-3)
 
 
-def test_a_faster_motion_leaves_the_same_samples():
-    """At 50 Hz a vibration of 30 Hz looks like one of 20 Hz: no spline can tell."""
-    slow, fast = (Coning(0.02, hertz) for hertz in (-20.0, 30.0))
-    times = np.arange(101) / 50
-    across = np.s_[:, :2]
-    ratio = 30.0 / -20.0
-    np.testing.assert_allclose(
-        fast.rate(times)[across], ratio * slow.rate(times)[across], rtol=0, atol=1e-11
-    )
-
-
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -455,28 +455,9 @@ def test_longitude_goes_on_at_the_other_side(degrees):
 # States
 
 
-def test_state_at_rest_has_the_shape_of_all_that_it_is_made_of():
-    attitude = random_quaternions(4, 1, seed=1)
-    state = stationary_state([0.1, 0.2, 0.3], attitude, longitude=2.0, altitude=[[5.0]])
-    assert state.latitude.shape == state.longitude.shape == state.altitude.shape == (4, 3)
-    np.testing.assert_array_equal(state.latitude[2], [0.1, 0.2, 0.3])
-    np.testing.assert_array_equal(state.longitude, np.full((4, 3), 2.0))
-    np.testing.assert_array_equal(state.altitude, np.full((4, 3), 5.0))
-    np.testing.assert_array_equal(state.velocity, np.zeros((4, 3, 3)))
-    # Brought to unit norm, which they have but for rounding.
-    np.testing.assert_allclose(state.attitude[:, 1], attitude[:, 0], rtol=0, atol=4 * EPS)
-
-
 def test_state_at_rest_is_on_the_ellipsoid_at_longitude_zero_unless_told():
     state = stationary_state(0.3, UNTURNED)
     assert (state.latitude, state.longitude, state.altitude) == (0.3, 0, 0)
-
-
-def test_last_of_a_row_is_its_last_state():
-    record = static_trajectory(UNTURNED, 0.5, 0.5, 40)
-    states = navigate(stationary_state([[0.5], [0.6]], UNTURNED), record.increments)
-    for one, row in zip(final_state(states), states, strict=True):
-        np.testing.assert_array_equal(one, row[:, :, -1])
 
 
 # Refusals
@@ -567,21 +548,6 @@ def test_no_time_is_no_interval():
             checked_interval(interval)
 
 
-def test_states_that_cannot_be_are_refused():
-    with pytest.raises(ValueError, match=r"^latitude: expected at most 89\.9 degrees"):
-        stationary_state([0.5, -np.pi / 2], UNTURNED)
-    with pytest.raises(ValueError, match=r"^attitude: expected shape \(\.\.\., 4\), got shape"):
-        stationary_state(0.5, [0, 0, 1])
-    with pytest.raises(ValueError, match=r"^longitude: expected finite numbers"):
-        stationary_state(0.5, UNTURNED, np.inf)
-    with pytest.raises(ValueError, match=r"^altitude: expected real numbers"):
-        stationary_state(0.5, UNTURNED, altitude="high")
-    with pytest.raises(
-        ValueError, match=r"^latitude, longitude, altitude, attitude: expected leading axes"
-    ):
-        stationary_state([0.1, 0.2], random_quaternions(3))
-
-
 def test_attitudes_are_brought_to_unit_norm():
     state = stationary_state(0.8, [0, 0, 0, 2])
     np.testing.assert_array_equal(state.attitude, [0, 0, 0, 1])
@@ -638,41 +604,3 @@ def test_speeds_and_heights_that_nothing_has_are_refused():
     fast = record.increments._replace(velocity=np.full((20, 3), 4e8))
     with pytest.raises(ValueError, match=r"^increments\.velocity: expected m/s, slower than light"):
         navigate(good, fast)
-
-
-def test_the_largest_height_that_is_named_is_one():
-    record = static_trajectory([0, 0, 0, 1], 0.8, 0.1, 2)
-    found = navigate(
-        stationary_state(0.8, [0, 0, 0, 1], altitude=1e9), record.increments, hold_altitude=True
-    )
-    assert found.altitude[0] == 1e9
-
-
-@pytest.mark.parametrize("part", ["altitude", "velocity", "longitude", "attitude", "latitude"])
-@pytest.mark.parametrize("hold_altitude", [False, True])
-def test_one_part_of_the_start_alone_may_have_leading_axes(part, hold_altitude):
-    record = static_trajectory([0, 0, 0, 1], 0.8, 0.5, 200)  # more than a chunk
-    good = stationary_state(0.8, [0, 0, 0, 1])
-    some = np.stack([getattr(good, part), getattr(good, part) + 0.01])
-    together = navigate(
-        good._replace(**{part: some}), record.increments, every=20, hold_altitude=hold_altitude
-    )
-    for index, each in enumerate(some):
-        alone = navigate(
-            good._replace(**{part: each}), record.increments, every=20, hold_altitude=hold_altitude
-        )
-        for many, one in zip(together, alone, strict=True):
-            assert many.shape == (2, *one.shape)
-            np.testing.assert_allclose(many[index], one, rtol=1e-12, atol=1e-12)
-
-
-def test_states_are_no_windows():
-    latitude, attitude = np.array([0.8, 0.9]), np.array([0.0, 0.0, 0.0, 1.0])
-    start = stationary_state(latitude, attitude)
-    assert not any(np.shares_memory(part, latitude) for part in start)
-    assert not any(np.shares_memory(part, attitude) for part in start)
-    start.altitude[0] = 5.0  # each is one's own, and may be written
-    assert start.altitude[1] == 0.0
-    states = navigate(start, static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20).increments)
-    for end, row in zip(final_state(states), states, strict=True):
-        assert not np.shares_memory(end, row)

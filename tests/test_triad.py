@@ -264,16 +264,6 @@ def test_triad_says_the_same_of_the_same_rate_in_any_axes(matrix, q, rate):
     )
 
 
-@given(matrices(0.5), quaternions(), quaternions())
-def test_changes_of_axes_follow_each_other_and_go_back(matrix, first, second):
-    one, two = (Rotation.from_quat(q).as_matrix() for q in (first, second))
-    changed = change_body_frame(change_body_frame(matrix, one), two)
-    expected = change_body_frame(matrix, two @ one)
-    np.testing.assert_allclose(changed, expected, rtol=0, atol=64 * EPS)
-    back = change_body_frame(change_body_frame(matrix, one), one.T)
-    np.testing.assert_allclose(back, matrix, rtol=0, atol=64 * EPS)
-
-
 # Refusals
 
 

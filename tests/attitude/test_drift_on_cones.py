@@ -206,15 +206,6 @@ def test_an_error_about_a_leaning_axis_swings_as_the_turning_itself_shows(lean, 
     assert found == pytest.approx(expected, abs=1e-6)
 
 
-def test_a_function_with_two_steps_to_compare_is_told_that_they_are_too_few():
-    def of_840_samples(rows):
-        sums = rows.reshape(*rows.shape[:-2], 2, -1, 3).sum(axis=-2)
-        return from_rotation_vector(sums)
-
-    with pytest.raises(ValueError, match="steps are too few to be compared"):
-        coning_drift(of_840_samples, 0.01, 0.001, 0.01)
-
-
 def test_a_step_that_does_not_turn_changes_the_error_by_its_drift():
     drift = np.array([-0.5, 0.25])
     np.testing.assert_array_equal(_largest_change(drift, np.zeros(2), np.zeros(2)), np.abs(drift))

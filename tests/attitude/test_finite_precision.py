@@ -19,7 +19,6 @@ from support import EPS, random_quaternions, vectors
 EPS32 = float(np.finfo(np.float32).eps)
 EARTH_RATE = 7.292115e-5  # rad/s
 
-every_algorithm = pytest.mark.parametrize("name", CONING_ALGORITHMS)
 every_update = pytest.mark.parametrize("update", UPDATES)
 both_kinds = pytest.mark.parametrize("rotation_vector", [False, True])
 
@@ -122,13 +121,6 @@ PLAIN = [update for update in UPDATES if update != "compensated"]
 @pytest.mark.parametrize("update", PLAIN)
 def test_short_word_loses_the_earths_rotation(update, start):
     assert 1 < drift_at_earth_rate(update, start) < 20
-
-
-@pytest.mark.parametrize("start", STARTS, ids=str)
-def test_complement_does_as_small_terms_first_where_the_scalar_part_is_stored_as_one(start):
-    """1 - l0 is 3e-15 here: whether it is kept or not is nothing beside an eps of 1e-7."""
-    first, complement = (drift_at_earth_rate(name, start) for name in UPDATES[1:3])
-    assert complement == pytest.approx(first, rel=0.01)
 
 
 def turning(count):
@@ -241,15 +233,6 @@ def test_answer_is_in_the_word(update):
         attitude = integrate_finite_word(increments, name, word=word, update=update)
         assert attitude.dtype == np.dtype(word), name
         assert attitude.shape == (6 // chosen.samples, 4), name
-
-
-@every_update
-def test_usual_word_is_float32_and_usual_start_the_identity(update):
-    increments = np.random.default_rng(0).uniform(-0.2, 0.2, (6, 3))
-    expected = integrate_finite_word(
-        increments, "two-step-4", start=[0, 0, 0, 1], word=np.float32, update=update
-    )
-    np.testing.assert_array_equal(integrate_finite_word(increments, update=update), expected)
 
 
 @pytest.mark.parametrize(

@@ -9,11 +9,10 @@ from scipy.integrate import solve_ivp
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, checked_algorithm
 from driftlab.attitude.drift_on_cones import coning_drift
-from driftlab.attitude.finite_precision import integrate_finite_word
 from driftlab.attitude.functional_iteration import WIDEST, FunctionalIteration
 from driftlab.attitude.integration import integrate, step_quaternions, step_rotation_vectors
 from driftlab.core.functional_iteration import tables
-from driftlab.motion.profiles import Coning, FixedAxis, Sway
+from driftlab.motion.profiles import Coning, Sway
 from driftlab.quaternion import (
     conjugate,
     from_rotation_vector,
@@ -114,13 +113,6 @@ def test_iterate_is_the_exponential_cut_off(iterations, turn):
     assert found == pytest.approx([0, 0, *(np.array([series.imag, series.real]) / abs(series))])
     error = abs(series - np.exp(0.5j * turn))
     assert error < (turn / 2) ** (iterations + 1) / factorial(iterations + 1)
-
-
-@every_window
-def test_enough_iterations_are_as_many_as_it_takes(window):
-    rows = SWAY.increments(0.02, 24)
-    found, settled = (integrate(rows, of(window, n)) for n in (25, None))
-    np.testing.assert_allclose(found, settled, rtol=0, atol=24 * 16 * EPS)
 
 
 @pytest.mark.parametrize(("window", "order"), [(1, 2), (2, 4), (3, 4), (4, 6), (5, 6), (6, 8)])
@@ -253,17 +245,6 @@ def test_many_windows_go_in_blocks():
         np.testing.assert_allclose(found[12 * i : 12 * i + 12], alone, rtol=0, atol=8 * EPS)
 
 
-@pytest.mark.parametrize("word", ["float32", "float64"])
-def test_short_words_and_leading_axes(word):
-    rows = np.stack([SWAY.increments(0.01, 24), FixedAxis(0.5, 1).increments(0.01, 24)])
-    eps = float(np.finfo(word).eps)
-    vectors = step_rotation_vectors(rows, NAME, word=word)
-    assert vectors.dtype == np.dtype(word)
-    np.testing.assert_allclose(vectors, step_rotation_vectors(rows, NAME), rtol=0, atol=4 * eps)
-    found = integrate_finite_word(rows, NAME, word=word)
-    np.testing.assert_allclose(found, integrate(rows, NAME), rtol=0, atol=24 * 8 * eps)
-
-
 # Refusals
 
 
@@ -297,8 +278,3 @@ def test_what_no_polynomial_fits_is_refused():
     with pytest.raises(ValueError, match=words):
         integrate(rows, NAME)
     assert np.isfinite(integrate(rows, "two-step-4")).all()
-
-
-def test_whole_turn_in_a_sample_is_refused():
-    with pytest.raises(ValueError, match=r"^increments: expected less than a whole turn a step"):
-        integrate(np.full((12, 3), 6.3), NAME)

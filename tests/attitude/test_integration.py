@@ -392,18 +392,6 @@ def test_local_residual_about_a_fixed_axis(name, g):
     assert angle == pytest.approx(4 * np.arctan(tangent), abs=32 * EPS)
 
 
-def test_local_residual_about_a_fixed_axis_is_of_fifth_order():
-    """-g^5/1920: the tangent's next term is g^5/7680."""
-
-    def residual(g):
-        step = step_quaternions([[0, 0, g / 2], [0, 0, g / 2]], "two-step-4")[0]
-        return rotation_angle(step) - g
-
-    for g in (0.1, 0.2):
-        # What follows is smaller by a multiple of g^2 below 1.
-        np.testing.assert_allclose(residual(g), -(g**5) / 1920, rtol=g**2)
-
-
 # Starts and histories
 
 
@@ -434,20 +422,6 @@ def test_zero_history_keeps_the_order_in_the_end(name):
     assert first == pytest.approx(3, abs=0.1)
 
 
-@pytest.mark.parametrize(("other", "order"), [("picard-1", 3), ("one-step-3", 4)])
-def test_two_first_steps_by_another_algorithm(other, order):
-    """One error of third order stays; one-step-3 makes errors of fourth order, which are few."""
-
-    def final(count):
-        interval = 4 / count
-        rows = SWAY.increments(interval, count)
-        begun = integrate(rows[:2], other, start=SWAY.attitude(0))[-1]
-        attitude = integrate(rows[2:], "memory-4", start=begun, history=rows[:2])[-1]
-        return rotation_angle(multiply(conjugate(SWAY.attitude(4)), attitude))
-
-    assert fitted_order(final) == pytest.approx(order, abs=0.1)
-
-
 @every_algorithm
 @given(data=st.data())
 def test_chunks_are_the_same_as_all_at_once(name, data):
@@ -467,15 +441,6 @@ def test_chunks_are_the_same_as_all_at_once(name, data):
 
 
 # Leading axes, norms, word
-
-
-@every_algorithm
-def test_history_has_the_leading_axes_of_the_increments(name):
-    rows = increments(2, 3, 14)
-    together = integrate(rows[..., 2:, :], name, history=rows[..., :2, :])
-    for i, j in np.ndindex(2, 3):
-        alone = integrate(rows[i, j, 2:], name, history=rows[i, j, :2])
-        np.testing.assert_allclose(together[i, j], alone, rtol=0, atol=100 * EPS)
 
 
 @with_memory
@@ -504,40 +469,11 @@ def test_history_of_an_algorithm_without_memory_is_not_looked_at(name):
 
 
 @every_algorithm
-@pytest.mark.parametrize("factor", [-1.0, 1e-3, 30.0])
-def test_start_is_brought_to_unit_norm(name, factor):
-    rows, start = increments(6), random_quaternions(1)[0]
-    expected = np.sign(factor) * integrate(rows, name, start=start)
-    np.testing.assert_allclose(
-        integrate(rows, name, start=factor * start), expected, rtol=0, atol=4 * EPS
-    )
-
-
-@every_algorithm
 def test_attitude_stays_of_unit_norm(name):
     attitude = integrate(increments(3000), name, start=random_quaternions(1)[0])
     # Each step's norm is good to a few eps, in random directions.
     norms = np.linalg.norm(attitude, axis=-1)
     np.testing.assert_allclose(norms, 1, rtol=0, atol=4 * 3000**0.5 * EPS)
-
-
-@every_algorithm
-def test_no_rotation_is_the_identity(name):
-    attitude = integrate(np.zeros((6, 3)), name)
-    np.testing.assert_array_equal(attitude, np.tile(IDENTITY, (len(attitude), 1)))
-
-
-@every_algorithm
-@pytest.mark.parametrize("word", ["float16", "float32", "float64"])
-def test_vectors_in_another_word(name, word):
-    rows, history = increments(2, 6), increments(2, 2, seed=1)
-    for past in (None, history):
-        vectors = step_rotation_vectors(rows, name, history=past, word=word)
-        assert vectors.dtype == np.dtype(word)
-        # Relative to sums of increments up to 0.5, good to an eps of the word.
-        bound = 4 * float(np.finfo(word).eps)
-        expected = step_rotation_vectors(rows, name, history=past)
-        np.testing.assert_allclose(vectors, expected, rtol=0, atol=bound)
 
 
 # Refusals
@@ -620,21 +556,6 @@ def test_too_few_increments_to_start_are_refused(name, least):
 def test_bad_histories_are_refused(function, bad, words):
     with pytest.raises(ValueError, match=rf"^history: expected {words}\.$"):
         function(increments(6), "memory-4", history=bad)
-
-
-@every_algorithm
-def test_bad_starts_are_refused(name):
-    with pytest.raises(ValueError, match=r"^start: expected shape \(\.\.\., 4\), got shape \(3,\)"):
-        integrate(increments(6), name, start=[0, 0, 1])
-    with pytest.raises(ValueError, match=r"^start: expected finite numbers, got 1 NaN"):
-        integrate(increments(6), name, start=[0, 0, np.nan, 1])
-    with pytest.raises(ValueError, match=r"^start: expected nonzero quaternions, got a zero"):
-        integrate(increments(6), name, start=[IDENTITY, np.zeros(4)])
-    with pytest.raises(
-        ValueError,
-        match=r"^increments, start: expected leading axes that broadcast, got \(2,\) and \(3,\)\.$",
-    ):
-        integrate(increments(2, 6), name, start=random_quaternions(3))
 
 
 @with_cayley

@@ -87,9 +87,3 @@ def test_small_turns_hardly_amplify_and_the_form_with_one_factor_does():
         assert abs(growth[name].white - 1) < 0.12 * angle**2
     assert growth["four, one factor"].white - 1 > 30 * (growth["four, spread"].white - 1)
     assert growth["four, one factor"].carried > 7 * growth["four, spread"].carried
-
-
-def test_without_a_turn_nothing_is_amplified():
-    for name in COMPARED:
-        white, carried = noise_growth(COMPARED[name], 0.0)
-        assert (white, carried) == (1, 0)

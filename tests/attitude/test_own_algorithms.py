@@ -350,16 +350,6 @@ def test_answer_of_a_wrong_function_is_refused_with_its_slip(slip):
         integrate(0.1 * ROWS, function)
 
 
-def test_signs_and_small_errors_of_length_say_nothing():
-    scale = np.where(np.arange(12) % 3 == 1, -1.0005, 0.9995)[:, np.newaxis]
-    np.testing.assert_allclose(
-        step_quaternions(ROWS, lambda g: scale * attitudes(g)),
-        step_quaternions(ROWS, attitudes),
-        rtol=0,
-        atol=1e-15,
-    )
-
-
 def test_a_bad_algorithm_is_no_slip_and_its_argument_is_its_own():
     rows = ROWS.copy()
 

@@ -13,8 +13,6 @@ from driftlab.quaternion import (
     conjugate,
     from_rotation_vector,
     multiply,
-    rotate,
-    rotation_angle,
     to_rotation_vector,
 )
 from support import EPS
@@ -97,18 +95,6 @@ def test_random_algorithm_of_third_order_drifts_with_the_fourth(seed, half_angle
     assert slope(lambda x: error(x)[1], x) == pytest.approx(5, abs=0.1)
 
 
-@pytest.mark.parametrize("half_angle", WIDE)
-def test_algorithm_of_first_order_drifts_with_the_second(half_angle):
-    """Unequal weights in the sum of the increments: wrong already for a linear rate."""
-
-    def drift(x):
-        rows = window(half_angle, x, 2, 0)
-        step = from_rotation_vector(0.8 * rows[0] + 1.2 * rows[1])
-        return abs(step_drift(step, np.asarray(half_angle), np.asarray(2 * x))) / x
-
-    assert slope(drift, 0.02) == pytest.approx(2, abs=0.01)
-
-
 @pytest.mark.parametrize("step_angle", [0.05, 0.3, 1.5])
 @pytest.mark.parametrize("error", [1e-3, 0.1])
 def test_error_along_the_tilt_axis_comes_back_by_its_square(step_angle, error):
@@ -124,17 +110,6 @@ def test_error_along_the_tilt_axis_comes_back_by_its_square(step_angle, error):
     assert abs(found - first) < error**4 / step_angle**3
 
 
-def test_what_rounds_each_axis_by_itself_is_not_covariant():
-    """The theorem needs an algorithm that does not know its axes."""
-    rows = window(1.0, 0.3, 2, 0)
-    turned = from_rotation_vector([0.3, 0.2, 0.1])
-
-    def rounded(vectors):
-        return np.round(vectors, 2)
-
-    assert np.abs(rounded(rotate(turned, rows)) - rotate(turned, rounded(rows))).max() > 1e-3
-
-
 @pytest.mark.parametrize("name", [*CONING_ALGORITHMS, "four, one factor"])
 def test_no_algorithm_drifts_with_an_odd_order(name):
     algorithm = COMPARED[name]
@@ -145,14 +120,3 @@ def test_no_algorithm_drifts_with_an_odd_order(name):
             return abs(coning_drift(algorithm, half_angle, x / (2 * np.pi), 1.0)) / x
 
         assert slope(drift, 0.02) == pytest.approx(even, abs=0.03)
-
-
-def test_the_form_with_one_factor_wobbles_with_the_third_order_and_drifts_with_the_fourth():
-    algorithm, motion = COMPARED["four, one factor"], Coning(1.0, 1 / (2 * np.pi))
-
-    def wobble(x):
-        found = step_quaternions(algorithm.steps, window(1.0, x, 4, 0))[0]
-        true = multiply(conjugate(motion.attitude(0)), motion.attitude(4 * x))
-        return rotation_angle(multiply(conjugate(true), found)) / x
-
-    assert slope(wobble, 0.02) == pytest.approx(3, abs=0.01)

@@ -275,11 +275,6 @@ def test_times_that_cannot_be_are_refused(changes, words):
         calibrate(**run | changes)
 
 
-def test_innovations_are_the_roots_of_their_squares():
-    found = calibrate(**inputs())
-    np.testing.assert_allclose(np.sum(found.innovations**2, axis=-1), found.nis, rtol=1e-6)
-
-
 def test_a_calibration_without_innovations_cannot_be_tested():
     none = np.zeros((1, 27))
     empty = Calibration(ERROR_MODELS["averaged"], none[0], none, none, none, none, none[0])

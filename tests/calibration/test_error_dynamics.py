@@ -14,7 +14,7 @@ from driftlab.calibration.error_dynamics import (
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuErrors, ImuNoise
-from driftlab.increments import Increments, measure
+from driftlab.increments import measure
 from driftlab.motion.scheme import Scheme
 from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply, to_matrix
@@ -31,18 +31,6 @@ EARTH_RADIUS = 6.378e6
 
 
 # Growth: against the nonlinear mechanisation
-
-
-def test_a_rate_that_is_not_said_to_change_does_not():
-    model = ERROR_MODELS["averaged"].with_states("lever arms")
-    rng = np.random.default_rng(4)
-    increments = Increments(0.01, *(1e-2 * rng.standard_normal((2, 4, 3))))
-    level = np.tile([0.0, 0.0, 0.0, 1.0], (3, 1))
-    free = free_transition(0.6, 0.04)
-    np.testing.assert_array_equal(
-        transition_of_increments(model, free, level, increments),
-        transition_of_increments(model, free, level, increments, np.zeros((4, 3))),
-    )
 
 
 TURNS = Scheme("+40X -30Z +50Y", ("North", "West", "Up"), dwell=0.02, rate=np.radians(30))
@@ -121,19 +109,6 @@ def test_leading_axes_of_any_argument_count():
         np.testing.assert_allclose(one, expected, rtol=0, atol=4 * EPS)
 
 
-def test_growth_of_increments_has_leading_axes():
-    record = turntable_trajectory(Scheme("+20X", dwell=0.1), 0.5, 0.1, multiple_of=2)
-    free, rng = free_transition(0.5, 2.2), np.random.default_rng(13)
-    angle, velocity = (rows * rng.uniform(0.5, 1.5, (4, 1, 1)) for rows in record.increments[1:])
-    attitude = random_quaternions(4, len(angle[0]) // 2 + 1)
-    together = transition_of_increments(FULL, free, attitude, Increments(0.1, angle, velocity))
-    for k in range(4):
-        alone = transition_of_increments(
-            FULL, free, attitude[k], Increments(0.1, angle[k], velocity[k])
-        )
-        np.testing.assert_allclose(together[k], alone, rtol=0, atol=1e-12)
-
-
 def test_growth_leaves_out_no_more_than_is_said():
     """What is left shrinks with the square of the interval in attitudes, velocities per g T."""
     latitude = np.radians(37.5)
@@ -189,16 +164,6 @@ def test_growth_over_two_halves_multiplies_to_that_over_the_whole(model):
     together = np.block([[passed[0], np.zeros((3, 4))], [np.ones((4, 3)), passed[1]]])
     expected = _transition(model, np.eye(6), *whole, together)
     np.testing.assert_allclose(second @ first, expected, rtol=0, atol=1e-13)
-
-
-def test_free_growth_comes_after_all_else():
-    rng = np.random.default_rng(10)
-    interval, passed = random_interval(rng, (), 3), np.tri(3)
-    free = rng.normal(size=(6, 6))
-    plain = _transition(FULL, np.eye(6), *interval, passed)
-    expected = np.vstack([free @ plain[:6], plain[6:]])
-    found = _transition(FULL, free, *interval, passed)
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-13)
 
 
 @every_latitude

@@ -125,15 +125,6 @@ def test_all_states_need_no_reduction():
 
 
 @every_reduced_model
-def test_reductions_follow_each_other(model):
-    """By way of any other axes one comes to the same."""
-    expected = model.reduction(ATTITUDE)
-    for other in ERROR_MODELS.values():
-        detour = expected @ embedded(other) @ other.reduction(ATTITUDE)
-        np.testing.assert_allclose(detour, expected, rtol=0, atol=16 * EPS)
-
-
-@every_reduced_model
 def test_reduction_is_the_exact_change_of_axes_to_first_order(model):
     rng = np.random.default_rng(2)
     sizes = PriorStandardDeviations(
@@ -153,18 +144,6 @@ def test_reduction_is_the_exact_change_of_axes_to_first_order(model):
         return np.linalg.norm(model.reduction(ATTITUDE) @ state - expected)
 
     assert order_of(error) == pytest.approx(2, abs=0.05)
-
-
-def test_attitude_of_a_reduction_may_have_any_length_but_must_be_one():
-    model = ERROR_MODELS["averaged"]
-    np.testing.assert_allclose(
-        model.reduction(-3 * ATTITUDE), model.reduction(ATTITUDE), rtol=0, atol=4 * EPS
-    )
-    for function in (model.reduction, lambda q: model.covariance(PriorStandardDeviations(), q)):
-        with pytest.raises(ValueError, match=r"^attitude: expected nonzero quaternions"):
-            function(np.zeros(4))
-        with pytest.raises(ValueError, match=r"^attitude: expected finite numbers, got 1 NaN"):
-            function([0, 0, np.nan, 1])
 
 
 # What is known before
@@ -220,24 +199,6 @@ def test_prior_of_a_choice_of_axes_in_closed_form(model):
     np.testing.assert_array_equal(velocity, 0.0)
 
 
-@every_model
-@pytest.mark.parametrize(
-    "prior",
-    [
-        PriorStandardDeviations(),
-        PriorStandardDeviations(1e-9, 1.0, 0.0, 1.0, 1e-6),
-        PriorStandardDeviations(0, 0, 0, 0, 1.0),
-        PriorStandardDeviations(0, 0, 0, 0, 0),
-    ],
-    ids=["usual", "far apart", "installation only", "all known"],
-)
-def test_prior_is_symmetric_and_nowhere_negative(model, prior):
-    covariance = model.covariance(prior, ATTITUDE)
-    np.testing.assert_array_equal(covariance, covariance.T)
-    values = np.linalg.eigvalsh(covariance)
-    assert values[0] >= -32 * EPS * values[-1]
-
-
 @every_reduced_model
 def test_prior_is_the_covariance_of_random_units_in_the_models_axes(model):
     """Drawn, turned exactly, and counted: all of the covariance, not its diagonal only."""
@@ -266,9 +227,3 @@ def test_a_name_that_no_model_has_is_told_those_that_there_are():
         ERROR_MODELS["27"]
     assert "27" not in ERROR_MODELS
     assert ERROR_MODELS.get("27") is None
-
-
-def test_a_model_in_a_signature_is_one_short_line():
-    assert repr(FULL) == "<ErrorModel of 30 states, any body axes>"
-    larger = ERROR_MODELS["averaged"].with_states("time skew")
-    assert repr(larger) == "<ErrorModel of 28 states, axes 'averaged', with time skew>"

@@ -19,7 +19,6 @@ from support import EPS, replaced
 
 LATITUDE = float(np.radians(37.5))
 SPREAD = PriorStandardDeviations()
-every_frame = pytest.mark.parametrize("frame", ERROR_MODELS)
 
 
 # A whole calibration against least squares with the navigation itself
@@ -362,38 +361,6 @@ def test_history_keeps_each_so_many_updates_and_the_last(brief):
         np.testing.assert_array_equal(found.nis, every.nis)
 
 
-def test_history_says_one_thing_in_several_ways(nothing):
-    model = ERROR_MODELS["averaged"]
-    assert nothing.model is model
-    variances = np.diagonal(nothing.covariance, axis1=-2, axis2=-1)
-    np.testing.assert_allclose(nothing.standard_deviations, np.sqrt(variances), rtol=4 * EPS)
-    for one, other in zip(nothing.imu_errors, model.imu_errors(nothing.state[-1]), strict=True):
-        np.testing.assert_array_equal(one, other)
-    # What was found of attitude and velocity is in them, not in the state.
-    np.testing.assert_array_equal(nothing.state[:, :6], 0)
-    assert (np.abs(nothing.state[-1, 6:]) > 0).all()
-
-
-def test_nis_grows_when_the_table_jumps(brief):
-    """A reference of 1 m/s in one update of many: a hundred deviations, squared, three times."""
-    updates = len(brief.increments.angle) // 24
-    reference = np.zeros((updates, 3))
-    reference[4] = 1.0
-    nis = calibrated(brief, NO_ERRORS, reference=reference, check=False).nis
-    assert nis.argmax() == 4
-    assert 1e3 < nis[4] < 3 * 100**2
-    np.testing.assert_allclose(nis[:4], 0, atol=1e-3)
-
-
-def test_covariance_stays_symmetric_and_positive(nothing):
-    np.testing.assert_array_equal(nothing.covariance, np.swapaxes(nothing.covariance, -1, -2))
-    standard_deviations = nothing.standard_deviations
-    correlation = nothing.covariance / (
-        standard_deviations[:, :, np.newaxis] * standard_deviations[:, np.newaxis]
-    )
-    assert np.linalg.eigvalsh(correlation)[:, 0].min() > 0
-
-
 def test_deviations_of_the_sensor_errors_only_shrink(record, nothing):
     """No noise drives the errors of the sensors themselves."""
     model = nothing.model
@@ -431,26 +398,6 @@ def test_each_of_several_runs_is_the_run_alone(brief):
         np.testing.assert_allclose(alone.nis, together.nis[index], rtol=0, atol=1e-2)
 
 
-def test_equal_runs_have_equal_results(brief):
-    """With one start for all, a run alone is the same but for rounding."""
-    rng = np.random.default_rng(8)
-    units = random_imu_errors(SPREAD, rng, 3)
-    together = calibrated(brief, units)
-    for k in range(3):
-        alone = calibrated(brief, ImuErrors(*(part[k] for part in units)))
-        # Gravitation settles to 1e-7 m, the slowest of the runs decides when.
-        scaled = (alone.state - together.state[k]) / alone.standard_deviations.clip(1e-12)
-        np.testing.assert_allclose(scaled, 0, atol=1e-6)
-        np.testing.assert_allclose(alone.covariance, together.covariance[k], rtol=1e-6, atol=1e-22)
-
-
-def test_attitudes_of_any_size_and_either_sign_are_one_start(brief):
-    start = 3.0 * brief.attitude[0]
-    usual, other = calibrated(brief, SMALL), calibrated(brief, SMALL, start=-start)
-    np.testing.assert_allclose(other.state, usual.state, rtol=1e-9, atol=1e-18)
-    np.testing.assert_allclose(other.nis, usual.nis, rtol=1e-7, atol=1e-12)
-
-
 # Refusals
 
 
@@ -486,12 +433,6 @@ def test_a_table_that_stands_is_looked_at_each_second_if_nothing_is_said():
     ends, velocities = _updates(4000, 0.001, None, None, None)
     assert list(ends) == [1000, 2000, 3000, 4000]
     np.testing.assert_array_equal(velocities, np.zeros((4, 3)))
-
-
-def test_one_velocity_for_the_whole_record_is_one_update():
-    ends, velocities = _updates(24, 0.25, np.zeros((1, 3)), None, None)
-    assert list(ends) == [24]
-    assert velocities.shape == (1, 3)
 
 
 def test_half_an_interval_after_the_start_is_a_time_of_a_reference():

@@ -117,11 +117,6 @@ def test_the_earths_rate_counts_at_three_quarters_of_the_rests(
     assert found == pytest.approx(np.sqrt(mean / (variance + LEAST_RATE**2)), rel=1e-9)
 
 
-def test_without_rests_the_rate_says_nothing():
-    seen = still(np.zeros(3), np.ones(3), rest=False)
-    assert seen.misfit(expected_of()) < 1e-9
-
-
 def test_a_start_turns_what_the_body_feels():
     start = from_rotation_vector([0.3, -0.4, 0.5])
     plain = still(np.full(3, 1e-3), np.full(3, 1e-6))
@@ -161,15 +156,6 @@ def test_means_are_those_of_the_axes_of_the_start():
     )
     way = np.linalg.norm(interval * rate, axis=-1).sum()
     assert seen.way[-1] == pytest.approx(way, rel=1e-4)
-
-
-def test_a_body_that_turns_slowly_feels_the_same_in_each_window_and_rests_in_it():
-    rate = np.repeat([1e-5, 1.5e-3], 2000)[:, np.newaxis] * [0.0, 0.0, 1.0]
-    force = np.broadcast_to([0.0, 0.0, 9.0], rate.shape)
-    seen = evidence(Increments(0.1, 0.1 * rate, 0.1 * force))
-    np.testing.assert_allclose(seen.force, [[0.0, 0.0, 9.0]] * len(seen.force), rtol=0, atol=1e-9)
-    begin, end = seen.elapsed[:-1], seen.elapsed[1:]
-    np.testing.assert_array_equal(seen.rest, (end <= 200.01) | (begin >= 199.99))
 
 
 def test_nothing_is_said_of_turns_by_more_than_a_right_angle_in_an_interval_and_of_few_rows():

@@ -7,7 +7,6 @@ import pytest
 from scipy.stats import chi2
 
 from driftlab.calibration import error_dynamics
-from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_dynamics import (
     _higher_order_effects,
     free_transition,
@@ -20,7 +19,6 @@ from driftlab.calibration.simulation import TurntableTrial
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
     TERMS,
-    HigherOrderErrors,
     _rate_changes,
     higher_order_effects,
 )
@@ -147,18 +145,6 @@ def test_a_jump_of_the_rate_tilts_by_what_a_gyro_feels_of_it(monkeypatch):
         np.testing.assert_allclose(found, expected, rtol=0, atol=1e-3 * np.abs(rate).max())
 
 
-def test_a_term_with_the_effect_of_a_bias_grows_like_a_bias(monkeypatch):
-    """Also where the rate jumps, which takes no time."""
-    name = "gyro scale-factor asymmetry"
-    bias = TERMS[name]._replace(effect=lambda times, angle, *_: times + np.zeros_like(angle))
-    monkeypatch.setattr(error_dynamics, "TERMS", {name: bias})
-    way = linearize_along(Scheme("+90Z", dwell=2.0), LATITUDE, AVERAGED.with_states(name))
-    size = np.abs(way.transitions[:, :6, 6:9]).max()
-    np.testing.assert_allclose(
-        way.transitions[:, :6, 27:], way.transitions[:, :6, 6:9], rtol=0, atol=8 * EPS * size
-    )
-
-
 def test_states_that_are_known_to_be_zero_change_nothing():
     surely = PriorStandardDeviations(
         lever_arm=0, time_skew=0, accelerometer_quadratic=0, gyro_g_sensitivity=0
@@ -233,20 +219,6 @@ def test_all_new_states_can_be_seen(scheme):
     ]
 
 
-def test_more_states_make_no_error_better_known():
-    plain, more = (
-        np.diag(
-            covariance_analysis(
-                linearize_along(NINETEEN_POSITIONS, LATITUDE, model),
-                ImuNoise(),
-                PriorStandardDeviations(),
-            )
-        )
-        for model in (AVERAGED, LARGER)
-    )
-    assert (more[:27] > plain * (1 - 1e-6)).all()
-
-
 def test_a_second_pass_finds_what_the_first_found():
     trial = replace(QUICK, scheme=replace(QUICK.scheme, dwell=6.0), states=("lever arms",))
     once, twice = (
@@ -256,17 +228,3 @@ def test_a_second_pass_finds_what_the_first_found():
     gap = (once.state - twice.state)[:, -1] / once.standard_deviations[:, -1].clip(1e-30)
     # Of second order in what the first pass corrected; ten other seeds gave up to 0.03.
     assert np.abs(gap[:, 6:]).max() < 0.06
-
-
-@pytest.mark.parametrize("name", ["arms", "", None, 3])
-def test_unknown_groups_are_refused(name):
-    for make in (lambda: AVERAGED.with_states(name), lambda: TurntableTrial(states=(name,))):
-        with pytest.raises(ValueError, match=r"^states: expected some of lever arms, .* got"):
-            make()
-
-
-def test_truth_that_is_given_is_the_truth_that_comes_back():
-    trial = replace(QUICK, scheme=replace(QUICK.scheme, dwell=3.0))
-    assert isinstance(trial.run(np.random.default_rng(6)).higher_order, HigherOrderErrors)
-    run = trial.run(np.random.default_rng(6), 2, higher_order=ARMS)
-    np.testing.assert_array_equal(run.higher_order.lever_arms, ARMS.lever_arms)

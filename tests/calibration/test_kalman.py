@@ -152,24 +152,6 @@ def test_many_steps_are_one_least_squares_problem(seed, size, measured):
     np.testing.assert_allclose(misfit, data @ weight @ data, rtol=1e-7)
 
 
-def test_steps_along_leading_axes_are_steps_one_by_one():
-    """Also where some arguments are the same for all."""
-    covariance, turn, noise, innovation, seen, spread = random_step(4, 12, 2, 5, 3)
-    arguments = covariance, turn[0], noise[0, 0], innovation, seen[:, :1], spread[0, 0]
-    copies = [argument.copy() for argument in arguments]
-    together = one_step(*arguments)
-    for argument, copy in zip(arguments, copies, strict=True):
-        np.testing.assert_array_equal(argument, copy)
-    for i, k in np.ndindex(5, 3):
-        alone = one_step(
-            covariance[i, k], turn[0, k], noise[0, 0], innovation[i, k], seen[i, 0], spread[0, 0]
-        )
-        for one, many in zip(alone, together, strict=True):
-            assert many.shape == (5, 3, *np.shape(one))
-            # The same products, summed in another order.
-            np.testing.assert_allclose(many[i, k], one, rtol=0, atol=1e-12 * np.abs(one).max())
-
-
 def test_nees_of_errors_drawn_from_the_covariance_is_chi_square():
     covariance, *_ = random_step(5, 6, 1)
     rng, runs = np.random.default_rng(6), 4000
@@ -239,19 +221,6 @@ def test_of_many_filters_one_without_a_spread_is_refused():
     noise = np.stack([one[3], -one[3]])
     with pytest.raises(ValueError, match=r"^noise: expected an innovation with a spread"):
         correct(covariance, one[1], one[2], noise)
-
-
-def test_noise_of_other_runs_is_refused():
-    run = np.tile(np.eye(2), (4, 1, 1)), np.ones(1), np.array([[1.0, 0.0]])
-    with pytest.raises(ValueError, match=r"noise: expected leading axes that broadcast"):
-        correct(*run, np.ones((3, 1, 1)))
-
-
-def test_measurement_without_any_spread_is_refused():
-    with pytest.raises(
-        ValueError, match=r"^noise: expected .* spread .*, got .* without an inverse"
-    ):
-        correct(**{"covariance": np.zeros((4, 4))} | MEASURED | {"noise": np.zeros((2, 2))})
 
 
 @pytest.mark.parametrize("lead", [(), (2,), (2, 4)], ids=str)

@@ -175,19 +175,6 @@ def test_the_earths_rate_is_one_vector_as_the_moves_have_turned_the_unit():
     np.testing.assert_allclose(found[model.rates, model.rates], expected, rtol=0, atol=1e-8)
 
 
-def test_a_move_is_compared_across_gravity_as_it_is_felt_afterwards():
-    true, rows = by_hand(moves=5)
-    model = PoseModel(poses_of(log(true), rows))
-    force = model.poses.force[model.poses.open + 1]
-    across = np.concatenate([model._planes, unit_vectors(force)[:, np.newaxis]], axis=1)
-    squares = across @ np.swapaxes(across, 1, 2)
-    np.testing.assert_allclose(squares, np.broadcast_to(np.eye(3), squares.shape), atol=1e-14)
-
-
-def unit_vectors(vectors):
-    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
-
-
 RUNS = 30
 
 
@@ -353,16 +340,6 @@ def test_with_what_is_missing_the_noise_explains_the_residuals():
     )
 
 
-def test_the_longest_move_is_that_of_them_all():
-    true, rows = by_hand()
-    begin, end = rows[3]
-    rows = [*rows[:3], (begin + 10, end), *rows[4:]]
-    found = calibrate_multi_position(
-        log(measure(true, unit(3))), rows, gravity=GRAVITY, noise=NOISE
-    )
-    assert found.longest_move == pytest.approx((MOVE + 4 + 10) / RATE)
-
-
 def test_what_is_left_is_told_in_sentences(monkeypatch):
     true, rows = by_hand()
     record = log(measure(true, unit(3), NOISE, np.random.default_rng(7)))
@@ -509,15 +486,6 @@ def test_saturated_gyros_are_refused_in_a_sentence(seed, most):
         ValueError, match=r"^static_intervals: expected residuals that a fit can settle on"
     ):
         calibrate_multi_position(record, rows, gravity=GRAVITY)
-
-
-def test_turns_about_two_axes_leave_the_third_gyro_in_the_dark():
-    turns = np.random.default_rng(2).uniform(-2.5, 2.5, (14, 3)) * [1, 0, 0]
-    true, rows = moved(turns)
-    with pytest.raises(ValueError, match=r"in the dark.*gyro scale y.*gyro scale z"):
-        calibrate_multi_position(
-            log(measure(true, unit(4), NOISE, np.random.default_rng(1))), rows, gravity=GRAVITY
-        )
 
 
 TRUE, ROWS = by_hand()

@@ -128,18 +128,6 @@ def test_short_pauses_show_as_much_as_many_measurements_in_them(
 
 
 @every_scheme
-def test_unobservable_directions_leave_the_velocity_alone(scheme):
-    way = linearize_along(scheme, LATITUDE)
-    unobservable = unobservable_subspace(way).directions
-    seen = observability_matrix(way) * typical_sizes(way)
-    shown = np.linalg.norm(observability_matrix(way) @ unobservable.T, axis=0)
-    assert (shown < 1e-12 * np.linalg.norm(seen, 2)).all()
-    # They are directions of unit length in typical sizes, across each other.
-    scaled = unobservable / typical_sizes(way)
-    np.testing.assert_allclose(scaled @ scaled.T, np.eye(3), rtol=0, atol=64 * EPS)
-
-
-@every_scheme
 @every_frame
 def test_velocity_shows_a_unit_as_it_shows_its_reduction(scheme, frame):
     """Why a choice of axes loses nothing: 27 states explain what 30 do."""
@@ -256,15 +244,6 @@ def test_warning_names_what_is_unobservable():
     assert [warning.filename for warning in caught] == [__file__]
 
 
-def test_warning_names_triads_turned_together():
-    with pytest.warns(
-        UnobservableWarning,
-        match=r"^scheme: leaves 3 directions of 30 unobservable: both triads turned together about "
-        r"x, the attitude with them; .* about y, .*; .* about z, the attitude with them\.$",
-    ):
-        _warn_if_unobservable(linearize_along(NINETEEN_POSITIONS, LATITUDE))
-
-
 # The way along a scheme
 
 
@@ -309,21 +288,6 @@ def test_steps_multiply_to_the_nonlinear_mechanisation(model, rotations, dwell):
     assert (difference < bounds).all()
 
 
-def test_steps_may_be_shorter(monkeypatch):
-    """The length of a step is a matter of a few per cent in all sensor errors.
-
-    The measurements of a step count as one at its end: what drifts meanwhile looks better known.
-    """
-    found = []
-    for step in (error_dynamics._STEP, 2.0):
-        monkeypatch.setattr(error_dynamics, "_STEP", step)
-        way = linearize_along(NINETEEN_POSITIONS, LATITUDE, AVERAGED)
-        covariance = covariance_analysis(way, ImuNoise(), PriorStandardDeviations())
-        found.append((len(way.durations), np.sqrt(np.diag(covariance))[6:]))
-    assert found[1][0] > 3 * found[0][0]
-    np.testing.assert_allclose(found[1][1], found[0][1], rtol=0.04)
-
-
 # Expected accuracy
 
 
@@ -347,29 +311,6 @@ def test_expected_accuracy_is_that_of_least_squares(scheme):
     found = np.sqrt(np.diag(covariance_analysis(way, noise, prior, update=2.0)))
     # Variances fall by six decades on the way.
     np.testing.assert_allclose(found, expected, rtol=1e-5)
-
-
-@every_scheme
-def test_choice_of_axes_does_not_touch_what_the_axes_do_not(scheme):
-    """Biases, scale factors and velocities are as accurate in any axes, with all states too."""
-    found = []
-    for model in (FULL, *ERROR_MODELS.values()):
-        covariance = covariance_analysis(
-            linearize_along(scheme, LATITUDE, model), ImuNoise(), PriorStandardDeviations()
-        )
-        sizes = np.sqrt(np.diag(covariance))
-        imu_errors = model.imu_errors(sizes)
-        scales = [
-            np.diag(imu_errors.gyro_error_matrix),
-            np.diag(imu_errors.accelerometer_error_matrix),
-        ]
-        found.append(
-            np.concatenate(
-                [sizes[3:6], imu_errors.gyro_bias, imu_errors.accelerometer_bias, *scales]
-            )
-        )
-    for other in found[1:]:
-        np.testing.assert_allclose(other, found[0], rtol=1e-7)
 
 
 @every_frame

@@ -28,13 +28,6 @@ def published_xsens(body_axes):
     return errors.accelerometer_error_matrix, errors.gyro_error_matrix
 
 
-def test_the_two_published_results_are_one_unit():
-    upper, lower = map(published_xsens, XSENS)
-    turn = body_frame_rotation(upper[0], frame="upper triangle")
-    for one, other in zip(upper, lower, strict=True):
-        assert largest(change_body_frame(one, turn) - other) < 1e-5
-
-
 @cache
 def xsens():
     recording = recording_or_skip("xsens-mti")

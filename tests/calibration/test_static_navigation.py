@@ -339,20 +339,6 @@ def test_several_units_are_each_by_itself():
         )
 
 
-def test_attitudes_of_any_size_and_either_sign_will_do():
-    usual = at_rest(TYPICAL_ERRORS)
-    other = navigate_static(
-        TYPICAL_ERRORS,
-        NO_ERRORS,
-        -2 * STANDING,
-        start=3 * STANDING,
-        reference=-STANDING,
-        duration=60.0,
-        **QUIET,
-    )
-    same_errors(usual, other)
-
-
 @pytest.mark.parametrize(
     ("name", "bad"),
     [
@@ -388,14 +374,3 @@ def test_times_that_do_not_fit_into_each_other_are_refused(name, bad):
 def test_bad_arguments_are_refused_by_name(name, bad, words):
     with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
         at_rest(**{"noise": ImuNoise(), "rng": np.random.default_rng(0)} | {name: bad})
-
-
-@pytest.mark.parametrize("argument", ["imu_errors", "estimated"])
-@pytest.mark.parametrize("name", ImuErrors._fields)
-def test_units_that_make_no_sense_are_refused_by_name(argument, name):
-    for bad, words in (
-        (getattr(TYPICAL_ERRORS, name)[:2], "shape"),
-        (getattr(TYPICAL_ERRORS, name) * np.nan, "finite numbers"),
-    ):
-        with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
-            at_rest(**{argument: TYPICAL_ERRORS._replace(**{name: bad})})

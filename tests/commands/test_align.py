@@ -169,12 +169,6 @@ def test_a_unit_that_cannot_see_the_earth_gets_no_heading():
     assert noisy.values["earth_rate_sensed"]
 
 
-def test_force_of_another_size_is_warned_of():
-    record = still()
-    half = Recording(record.gyro, record.accelerometer / 2, 1.0, "rates", axes="FRD", latitude=0.7)
-    assert any("gravity is 9.80" in warning for warning in found(half).warnings)
-
-
 def test_a_car_that_is_not_still_is_told_by_its_own_record():
     """The publisher's heading is -90.6 degrees, 'coarse'; its means say nothing, gravity does."""
     record = recording_or_skip("laser-gyro").between(0.0, 300.0)

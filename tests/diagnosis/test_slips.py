@@ -68,20 +68,6 @@ def test_latitude_is_that_of_the_least_innovations(latitude):
     assert deviation == pytest.approx(1 / 5)
 
 
-@pytest.mark.parametrize("latitude", [-1.5707, 1.5707])
-def test_latitude_is_sought_away_from_the_pole_and_a_tenth_of_a_radian_at_a_time(latitude):
-    tried = []
-
-    class Near(LinearJudge):
-        def _run(self, other, *rest):
-            tried.append(other.latitude)
-            return super()._run(other, *rest)
-
-    found, _ = Near(inputs()).latitude(inputs(latitude=latitude))
-    assert found == pytest.approx(latitude + (0.1 if latitude < 0 else -0.1))
-    assert max(np.abs(tried)) == abs(latitude)
-
-
 def test_the_judge_adds_up_to_small_turns_and_measures_every_ten_seconds(monkeypatch):
     """A turn of 0.001 rad every 10 ms: a tenth of a second comes before a turn of 0.02 rad."""
     handed = []
@@ -95,13 +81,6 @@ def test_the_judge_adds_up_to_small_turns_and_measures_every_ten_seconds(monkeyp
     judged = _Judge(inputs(Increments(0.01, rows, rows), ends=np.arange(200, 8001, 200)))
     assert judged.steps == (ImuNoise().reference_velocity, 0.1)
     assert handed == [(pytest.approx(0.1), 8)]
-
-
-def test_a_latitude_that_shows_in_nothing_is_not_known():
-    class Blind(LinearJudge):
-        slope = np.zeros((1, 3))
-
-    assert Blind(inputs()).latitude(inputs(latitude=0.3)) == (0.3, np.inf)
 
 
 # Likely slips

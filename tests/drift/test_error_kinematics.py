@@ -133,11 +133,6 @@ def test_error_in_every_digit(time):
     np.testing.assert_allclose(actual, expected, rtol=0, atol=bound)
 
 
-@given(vectors(), vectors())
-def test_no_time_no_error(rate, measured_rate):
-    np.testing.assert_array_equal(error_quaternion(rate, measured_rate, 0), IDENTITY)
-
-
 @given(vectors(), st.floats(-10, 10))
 def test_perfect_triad_has_no_error(rate, time):
     error = error_quaternion(rate, rate, time)

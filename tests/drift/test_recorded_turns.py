@@ -229,17 +229,3 @@ def test_a_triad_of_the_simplest_kind_is_not_refused():
     for triad in (0.04 * np.eye(3), -0.04 * np.eye(3), 0.04 * np.fliplr(np.eye(3))):
         found = senses(YATES_AXES, gyro_error_matrix=triad).mean(axis=0)
         np.testing.assert_allclose(found, exact_turn_estimate(YATES_AXES, triad), atol=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "sentence"),
-    [
-        (([0, 0, 1], [0, 0, 1]), r"^increments: expected shape \(\.\.\., n, 3\), got shape \(3,\)"),
-        ((np.ones((4, 3)), [0, 0, 0]), "^axis: expected nonzero vectors"),
-        ((np.ones((4, 3)), [0, 0, 1], 1.0), "^turns: expected a whole number"),
-        ((np.ones((4, 3)), [0, 0, 1], 1, "guess"), "^algorithm: expected one of"),
-    ],
-)
-def test_refusals(arguments, sentence):
-    with pytest.raises(ValueError, match=sentence):
-        recorded_turn_estimate(*arguments)

@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, strategies as st
 from scipy.linalg import expm
-from scipy.spatial.transform import Rotation
 
 from driftlab.drift.characteristic_equation import (
     asymptotic_roots,
@@ -23,7 +22,7 @@ from driftlab.drift.systematic_drift import (
     drift_per_revolution,
     principal_drifts,
 )
-from driftlab.quaternion import from_rotation_vector, rotate
+from driftlab.quaternion import from_rotation_vector
 from driftlab.triad import (
     measured_rate,
     non_orthogonality,
@@ -195,18 +194,6 @@ def test_2_2_misses_by_the_next_order(order):
 # Drift
 
 
-def test_rate_error_is_fixed_in_the_body_and_turns_with_it():
-    """In N it goes round omega; of its sum over a turn only the part along omega is left."""
-    count = 64
-    times = 2 * np.pi / np.linalg.norm(RATE) * np.arange(count) / count
-    error = measured_rate(RATE, BENT) - RATE
-    in_fixed_frame = rotate(from_rotation_vector(RATE * times[:, np.newaxis]), error)
-    turned = Rotation.from_rotvec(RATE * times[:, np.newaxis]).apply(error)
-    np.testing.assert_allclose(in_fixed_frame, turned, rtol=0, atol=16 * EPS)
-    along = drift_coefficient(RATE, BENT) * RATE
-    np.testing.assert_allclose(in_fixed_frame.mean(axis=0), along, rtol=0, atol=count * EPS)
-
-
 @given(directions(), matrices(0.3))
 def test_only_the_symmetric_part_drifts(n, error_matrix):
     rho = n @ error_matrix @ n / (n @ n)
@@ -249,12 +236,6 @@ def test_a_triad_that_hardly_sees_the_turn(left):
     """A n = left * n: the drift is minus a whole turn, and `left` of it is still resolved."""
     error_matrix = np.diag([0, 0, left - 1])
     assert _exact_drift_coefficient([0, 0, 1], error_matrix) + 1 == pytest.approx(left, abs=2 * EPS)
-
-
-def test_roots_and_drift_agree():
-    measured = measured_rate(RATE, BENT)
-    drift = _exact_drift_coefficient(RATE, BENT) * np.linalg.norm(RATE)
-    assert exact_roots(RATE, measured)[2].imag == pytest.approx(drift, abs=8 * EPS)
 
 
 @pytest.mark.parametrize("turns", [1, 2, 7, -3])
@@ -375,14 +356,3 @@ def test_exact_principal_drifts_are_the_singular_values_less_one(error_matrix):
     np.testing.assert_allclose(axes @ axes.T, np.eye(3), rtol=0, atol=16 * EPS)
     at_axes = _exact_drift_coefficient(axes, error_matrix)
     np.testing.assert_allclose(at_axes, coefficients, rtol=0, atol=1e3 * EPS)
-
-
-def test_exact_and_first_order_principal_drifts_part_at_second_order():
-    shape = np.array([[0.2, 1, 0.5], [-0.4, 0, 0.8], [1, 0.3, -0.6]])
-
-    def difference(size):
-        first, _ = principal_drifts(size * shape)
-        exact, _ = principal_drifts(size * shape, exact=True)
-        return np.abs(exact - first).max()
-
-    assert order_of(difference) == pytest.approx(2, abs=0.02)

@@ -6,7 +6,6 @@ from hypothesis import given, strategies as st
 from hypothesis.extra.numpy import arrays
 
 from driftlab.drift.error_kinematics import error_quaternion
-from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import (
     TurnExperiment,
@@ -71,10 +70,6 @@ def test_3_3_in_the_papers_own_letters():
     error, n, k = np.array([0.1, -0.2, 0.3, 0.9]), np.array([2, 1, 2]) / 3, 2
     expected = np.arctan(error[:3] / error[3] @ n) / (k * np.pi)
     assert turn_estimate(error, n, k) == pytest.approx(expected, abs=4 * EPS)
-
-
-def test_half_a_turn_of_error_has_an_estimate():
-    assert turn_estimate([1, 0, 0, 0], [1, 0, 0]) == 0.5
 
 
 # What the method finds without noise
@@ -144,13 +139,6 @@ def test_axes_are_unit_vectors():
     np.testing.assert_array_equal(YATES_AXES[:3], PAIR_AXES)
 
 
-def test_one_turn_in_a_hundred_steps_is_understood():
-    error = [0.1, -0.2, 0.3, 0.9]
-    assert turn_estimate(error, [1, 0, 0]) == turn_estimate(error, [1, 0, 0], 1)
-    assert exact_turn_estimate([1, 1, 0], BENT) == exact_turn_estimate([1, 1, 0], BENT, 1)
-    assert TurnExperiment() == TurnExperiment(1, 100, "exact", 0.0)
-
-
 # The experiment
 
 
@@ -166,14 +154,6 @@ def test_noise_of_the_estimate_is_the_angle_noise_over_the_turns():
     assert estimates.mean() == pytest.approx(0, abs=5 * expected / np.sqrt(count))
 
 
-@pytest.mark.parametrize("name", STEP_FORMULAS)
-def test_many_coarse_turns_do_not_overflow(name):
-    experiment = TurnExperiment(1000, 3, name)
-    assert np.linalg.norm(experiment.error_quaternion([1, 1, 0], BENT)) == pytest.approx(
-        1, abs=4 * 3000 * EPS
-    )
-
-
 @pytest.mark.parametrize(
     ("settings", "sentence"),
     [
@@ -187,13 +167,6 @@ def test_many_coarse_turns_do_not_overflow(name):
 def test_impossible_experiments_are_refused(settings, sentence):
     with pytest.raises(ValueError, match=sentence):
         TurnExperiment(**settings)
-
-
-def test_error_of_no_rotation_at_all_is_refused():
-    with pytest.raises(ValueError, match=r"^error_quaternion: expected nonzero quaternions"):
-        turn_estimate(np.zeros(4), [1, 0, 0])
-    with pytest.raises(ValueError, match=r"^error_quaternion: expected nonzero quaternions"):
-        turn_estimate([[0, 0, 0, 1], [0, 0, 0, 0]], [1, 0, 0])
 
 
 def test_one_error_of_half_a_turn_across_the_axis_is_refused_among_others():
@@ -287,21 +260,6 @@ def test_fit_is_numpys_least_squares(scale, count):
     )
 
 
-@pytest.mark.parametrize(
-    ("scale", "errors", "found"),
-    [
-        ("none", [0, 0, 0], []),
-        ("common", [3e-4, 3e-4, 3e-4], [3e-4]),
-        ("each", [1e-4, -2e-4, 5e-4], [1e-4, -2e-4, 5e-4]),
-    ],
-)
-def test_fit_separates_scale_factors_from_non_orthogonality(scale, errors, found):
-    axes = random_axes(10)
-    fit = fit_turns(drift_coefficient(axes, BENT + np.diag(errors)), axes, scale)
-    np.testing.assert_allclose(fit.sigma, SIGMAS, rtol=0, atol=100 * EPS)
-    np.testing.assert_allclose(fit.scale_factor, found, rtol=0, atol=100 * EPS)
-
-
 def test_common_offset_on_yates_axes_is_not_the_weighing():
     """A common offset of the *estimates* is one and a half times as large in the fourth number."""
     estimates = exact_turn_estimate(YATES_AXES, BENT)
@@ -316,17 +274,6 @@ def test_common_offset_on_yates_axes_is_not_the_weighing():
         estimates * [1, 1, 1, 1.5]
     )
     np.testing.assert_allclose(moved, offset / 4, rtol=0, atol=8 * EPS)
-
-
-@pytest.mark.parametrize("scale", ["none", "common", "each"])
-def test_covariance_is_that_of_many_noisy_fits(scale):
-    axes, count = random_axes(9), 20000
-    fit = fit_turns(np.random.default_rng(4).normal(size=(count, 9)), axes, scale)
-    found = np.cov(np.hstack([fit.sigma, fit.scale_factor]).T)
-    # A sample covariance of Gaussians has the variance (C_ii C_jj + C_ij^2)/N; five sigma.
-    variances = np.diag(fit.covariance)
-    spread = np.sqrt((np.outer(variances, variances) + fit.covariance**2) / count)
-    assert (np.abs(found - fit.covariance) < 5 * spread).all()
 
 
 @pytest.mark.parametrize(
@@ -385,13 +332,6 @@ def test_earth_offset_by_hand():
     assert earth_rate_offset(np.pi / 6, -10 * day) == pytest.approx(-0.05, rel=1e-6)
     assert earth_rate_offset(0.7, day, [1, 0, 0]) == 0  # to the East
     assert earth_rate_offset(0.0, day, [0, 3, 0]) == pytest.approx(1, rel=1e-6)  # to the North
-
-
-def test_earth_offset_of_a_table_at_rest_is_refused():
-    with pytest.raises(
-        ValueError, match=r"^table_rate: expected rates of at least 1e-50 in size, got 0"
-    ):
-        earth_rate_offset(0.7, [0.1, 0.0])
 
 
 def test_earth_offset_takes_no_degrees_for_a_latitude():
@@ -481,13 +421,6 @@ def test_covariance_with_rates_is_that_of_the_design():
     )
     normal = fit.covariance @ design.T @ design
     np.testing.assert_allclose(normal, np.eye(8), rtol=0, atol=EPS * np.linalg.cond(design) ** 2)
-
-
-@pytest.mark.filterwarnings("ignore:table_rates:driftlab.checks.UnusualWarning")
-@pytest.mark.parametrize("size", [1e-9, 1e9])
-def test_no_unit_of_the_rates_makes_the_unknowns_undetermined(size):
-    fit = fit_turns(drift_coefficient(EIGHT, BENT), EIGHT, table_rates=size * RATES, gyro_bias=True)
-    np.testing.assert_allclose(fit.sigma, SIGMAS, rtol=0, atol=100 * EPS)
 
 
 @pytest.mark.parametrize(

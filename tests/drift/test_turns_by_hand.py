@@ -172,13 +172,6 @@ def test_each_axis_costs_two_degrees_of_freedom():
     assert fit.stop_standard_deviation == pytest.approx(np.sqrt(np.mean(squares)))
 
 
-def test_turns_may_take_less_than_a_second():
-    quick = [
-        replace(turn, seconds=turn.seconds / 20) for turn in chain(np.zeros(3), np.array([1, -1]))
-    ]
-    assert fit_hand_turns(quick).sigma == pytest.approx(0.01, abs=0.01)
-
-
 @pytest.mark.parametrize(
     ("rests", "sentence"),
     [

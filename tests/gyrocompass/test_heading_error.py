@@ -78,24 +78,8 @@ def test_a_horizon_that_is_freed_of_it_stays_level_and_one_that_is_not_does_not(
     assert left < 0.01 * whole
 
 
-def test_nothing_at_rest_and_nothing_northward_at_the_equator():
-    np.testing.assert_array_equal(coriolis_correction([0.0, 0.9], [0.0, 0.0]), np.zeros((2, 2)))
-    np.testing.assert_array_equal(coriolis_correction(0.0, [200.0, 0.0]), [0.0, 0.0])
-
-
 def test_on_a_flat_earth_the_horizon_has_followed_half_of_the_force_to_the_east():
     """2 U sin(latitude) v to the North, and once to the East."""
     found = coriolis_correction(LATITUDE, [3.0, 5.0], radius=1e30)
     vertical = EARTH_RATE * np.sin(LATITUDE)
     np.testing.assert_allclose(found, [10 * vertical, -3 * vertical], rtol=4 * EPS)
-
-
-@pytest.mark.parametrize(
-    ("latitude", "velocity", "words"),
-    [
-        (np.pi / 2, [1.0, 0.0], "^latitude: expected"),
-    ],
-)
-def test_refusals(latitude, velocity, words):
-    with pytest.raises(ValueError, match=words):
-        coriolis_correction(latitude, velocity)

@@ -315,14 +315,6 @@ def test_two_positions_are_doubted_from_where_one_is():
     assert tolerances[0] == tolerances[1]
 
 
-def test_two_positions_may_be_little_more_than_five_degrees_apart():
-    apart = np.radians([5.01, 354.99])
-    found = two_position_standard_deviation(LATITUDE, 60.0, 1e-7, apart)
-    assert found[0] == pytest.approx(found[1], rel=1e-9)
-    with pytest.raises(ValueError, match=r"turn_angle: .* more than 5 degrees .* got 4\.99 deg"):
-        two_position_standard_deviation(LATITUDE, 60.0, 1e-7, np.radians(4.99))
-
-
 def test_deviations_refuse_what_has_no_meaning():
     with pytest.raises(ValueError, match=r"turn_angle: expected angles .* got 360 degrees"):
         two_position_standard_deviation(LATITUDE, 60.0, 1e-7, 2 * np.pi)

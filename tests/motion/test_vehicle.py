@@ -69,19 +69,6 @@ def test_body_increments_are_local_ones_seen_from_the_body():
         assert np.allclose(getattr(tilted.increments, name), expected, rtol=1e-9, atol=1e-13)
 
 
-def test_a_turn_is_in_the_gyros():
-    heading = np.linspace(0, np.pi / 2, 91)
-    found = vehicle_trajectory(LATITUDE, np.zeros((91, 2)), heading, interval=1.0)
-    assert found.increments.angle[:, 1].sum() == pytest.approx(
-        np.pi / 2 + 90 * EARTH_RATE * np.sin(LATITUDE), rel=1e-9
-    )
-
-
-def test_the_way_north_is_in_the_latitude():
-    found = vehicle_trajectory(0.1, np.broadcast_to([10.0, 0.0], (101, 2)), 0.0, interval=60.0)
-    assert found.latitude[-1] == pytest.approx(0.1 + 10.0 * 6000 / EARTH_RADIUS)
-
-
 def test_smooth_step_rises_once():
     times = np.linspace(0, 10, 1001)
     rise = smooth_step(times, 2.0, 5.0)
