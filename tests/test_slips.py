@@ -186,21 +186,9 @@ def calibrate(**changes):
     ("slip", "sentence"),
     [
         (lambda: calibrate(model="average"), "model: expected an ErrorModel or the name of one"),
-        (lambda: calibrate(model=None), "model: .* got None"),
-        (lambda: calibrate(prior=None), "prior: expected a PriorStandardDeviations, got None"),
-        (
-            lambda: calibrate(prior=PriorStandardDeviations),
-            "prior: .* got the class PriorStandardDeviations",
-        ),
-        (lambda: calibrate(noise=0.01), r"noise: expected an ImuNoise, got 0\.01"),
         (lambda: calibrate(latitude=59.9), r"latitude: .* in degrees\? np\.radians\(59\.9\)"),
         (lambda: TurntableTrial("+90X"), r"scheme: expected a Scheme such as .* got '\+90X'"),
         (lambda: TurntableTrial(states=["levers"]), "states: expected some of lever arms,"),
-        (lambda: linearize_along("+90X", 0.7), r"scheme: expected a Scheme .* got '\+90X'"),
-        (
-            lambda: turntable_trajectory([SCHEME], 0.7, 0.5),
-            "scheme: expected a Scheme .* got a list",
-        ),
         (
             lambda: dl.calibration.unobservable_subspace(SCHEME),
             r"linearized: expected what linearize_along\(scheme, latitude\) returns, got a Scheme",
@@ -211,25 +199,7 @@ def calibrate(**changes):
             ),
             r"linearized: expected what linearize_along\(scheme, latitude\) returns, got a Scheme",
         ),
-        (
-            lambda: dl.calibration.covariance_analysis(LINEARIZED, None, PriorStandardDeviations()),
-            "noise: expected an ImuNoise, got None",
-        ),
-        (
-            lambda: dl.navigate(TRUE.increments._asdict(), TRUE.increments),
-            r"start: expected a Navigation\(.*\), got a dict",
-        ),
         (lambda: measure(TRUE.increments.angle, NO_ERRORS), "increments: .* got an array of shape"),
-        (lambda: measure(TRUE.increments._asdict(), NO_ERRORS), "increments: .* got a dict"),
-        (lambda: measure(NO_ERRORS, TRUE.increments), "increments: .* got an ImuErrors"),
-        (
-            lambda: measure(TRUE.increments, NO_ERRORS, np.random.default_rng(1)),
-            "noise: expected an ImuNoise, got a Generator",
-        ),
-        (
-            lambda: measure(TRUE.increments, NO_ERRORS, ImuNoise(), 0.5),
-            "rng: expected a numpy Generator to draw the noise, or a seed for one, got 0.5",
-        ),
         (
             lambda: measure(TRUE.increments, TYPICAL_ERRORS._replace(gyro_bias=[10, 20, 30])),
             r"gyro_bias: expected rad/s, at most 10 in size, got 30: is it in deg/h\?",
@@ -268,32 +238,18 @@ def calibrate(**changes):
             lambda: dl.allan_deviation(np.ones((200, 3)), 0.01),
             r"samples: .* got \(200, 3\): .* samples\.T",
         ),
-        (lambda: dl.gyrocompass.initial_level_frame(0.5), "alignment: .* from align"),
-        (lambda: dl.noise_terms.fit_noise_terms(np.ones(9)), "allan: .* from allan_deviation"),
         (lambda: Increments(1.0, np.eye(3), np.eye(3)).part(0.5, 2), "begin: expected a whole"),
         (
             lambda: dl.attitude.integrate_riccati(lambda time: np.ones(3), [0, 1], tolerance=1e-20),
             r"tolerance: expected at least 2\.2e-14, got 1e-20",
         ),
         (
-            lambda: dl.attitude.cayley_vector([0, 0, 0, 1], dimension=np.int8(5)),
-            "dimension: expected 3 or 4, got 5",
-        ),
-        (
             lambda: dl.calibration.kalman.nees([1.0, 1.0], np.ones((2, 2))),
             "covariance: expected one with an inverse where variances are not zero",
         ),
         (
-            lambda: dl.calibration.NominalReadings(gyro_scale_factor=np.nan),
-            "gyro_scale_factor: expected finite numbers, got 1 NaN",
-        ),
-        (
             lambda: dl.calibration.NominalReadings(accelerometer_scale_factor=[1, 0, 1]),
             "accelerometer_scale_factor: expected numbers above 0, got 0",
-        ),
-        (
-            lambda: ERROR_MODELS["averaged"].imu_errors(np.full(27, np.nan)),
-            "state: expected finite numbers, got 27 NaN",
         ),
         (
             lambda: dl.drift.hand_turns(np.full((90, 3), 90.0), 0.1, [[0, 20], [40, 60]]),

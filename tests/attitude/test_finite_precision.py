@@ -242,11 +242,6 @@ def test_answer_is_in_the_word(update):
         (np.float32([0, 1e30, 0]), "floating numbers whose squares are finite, got float32"),
         (np.zeros(4), r"shape \(\.\.\., 3\), got shape \(4,\)"),
     ],
-    ids=[
-        "whole",
-        "long",
-        "four",
-    ],
 )
 @both_kinds
 def test_bad_vectors_are_refused(rotation_vector, vectors, words):

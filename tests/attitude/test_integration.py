@@ -547,11 +547,6 @@ def test_too_few_increments_to_start_are_refused(name, least):
         (np.zeros(3), r"shape \(\.\.\., m, 3\) with m at least 2 for memory-4, got shape \(3,\)"),
         (np.zeros((2, 4)), r"shape \(\.\.\., 3\), got shape \(2, 4\)"),
     ],
-    ids=[
-        "short",
-        "one row",
-        "four columns",
-    ],
 )
 def test_bad_histories_are_refused(function, bad, words):
     with pytest.raises(ValueError, match=rf"^history: expected {words}\.$"):

@@ -263,18 +263,6 @@ def test_jitter_is_kept_and_rounding_is_not(log):
         ([HEADER], "log.csv: expected lines of numbers, got none in 1 lines."),
         ([""], "log.csv: expected lines of numbers, got an empty file."),
     ],
-    ids=[
-        "short",
-        "text",
-        "empty",
-        "nan",
-        "inf",
-        "header-again",
-        "underscore",
-        "cut",
-        "none",
-        "nothing",
-    ],
 )
 def test_a_bad_line_is_refused_by_its_number(log, lines, words):
     refused(log, words, lines)
