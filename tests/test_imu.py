@@ -93,10 +93,6 @@ def test_sizes_that_are_no_deviations_are_refused_by_name(kind, name):
         ValueError, match=rf"^{name}: expected a number of at least 0, got -1e-09\.$"
     ):
         kind(**{name: -1e-9})
-    with pytest.raises(ValueError, match=rf"^{name}: expected finite numbers, got 1 NaN"):
-        kind(**{name: np.nan})
-    with pytest.raises(ValueError, match=rf"^{name}: expected one number, got shape \(3,\)"):
-        kind(**{name: [1.0, 2.0, 3.0]})
     good = kind(**{name: 0})
     with pytest.raises(FrozenInstanceError):
         setattr(good, name, 1.0)

@@ -250,14 +250,6 @@ def test_refusals_are_one_sentence(tmp_path):
         calls_of(typed["task"], folder=tmp_path)
 
 
-def test_other_default_arguments_are_another_study(tmp_path, monkeypatch):
-    calls_of(folder=tmp_path)
-    monkeypatch.setattr(draws, "__defaults__", (2.0,))
-    calls, found = calls_of(folder=tmp_path)
-    assert calls == 4
-    same(found, calls_of(task=partial(draws, scale=2.0))[1])
-
-
 @pytest.mark.skipif(os.name == "nt" or not hasattr(os, "geteuid"), reason="modes of POSIX")
 def test_others_may_read_what_the_mask_allows(tmp_path):
     before = os.umask(0o022)

@@ -490,18 +490,6 @@ def test_times_that_do_not_increase_are_refused(times):
         integrate_riccati(tumbling, times)
 
 
-@pytest.mark.parametrize(
-    ("rate", "words"),
-    [
-        ([0, 1], r"shape \(\.\.\., 3\), got shape \(2,\)"),
-    ],
-    ids=["two numbers"],
-)
-def test_bad_rates_from_the_callable_are_refused(rate, words):
-    with pytest.raises(ValueError, match=f"^rate: expected {words}"):
-        integrate_riccati(lambda time: rate if time > 0.5 else AXIS, [0, 1])
-
-
 def test_integration_that_fails_says_so():
     """The rate tan(t) has no integral beyond pi/2."""
     with pytest.raises(RuntimeError, match=r"^The integration after 1\.\d+ s failed: "):

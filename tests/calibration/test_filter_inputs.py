@@ -8,7 +8,7 @@ import pytest
 from scipy.constants import degree, hour
 from scipy.stats import chi2
 
-from driftlab.calibration._filter_inputs import Evidence, _random_walk, _unit, evidence, thinned
+from driftlab.calibration._filter_inputs import Evidence, _random_walk, evidence, thinned
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments
@@ -215,19 +215,3 @@ def test_white_noise_is_that_of_blocks_in_windows_that_rest(each):
     for count in (1, 2, 3, 4, 5, 6, 10):
         shown.rest = np.arange(40) < count
         assert (_random_walk(rows, shown, 0.1) is None) == (count * freedom < 30)
-
-
-@pytest.mark.parametrize(
-    ("ratio", "words"),
-    [
-        (1.25 * np.pi / 180, ": degrees for radians, or degrees/sqrt(h) for degrees/sqrt(s)?"),
-        (np.pi / 180 / 1.25, ": degrees for radians, or degrees/sqrt(h) for degrees/sqrt(s)?"),
-        (1.25 * np.pi / 180 / 60, ": degrees/sqrt(h) for rad/sqrt(s)?"),
-        (np.pi / 180 / 60 / 1.25, ": degrees/sqrt(h) for rad/sqrt(s)?"),
-        (1.35 * np.pi / 180, ""),
-        (np.pi / 180 / 1.35, ""),
-        (1.0, ""),
-    ],
-)
-def test_noise_that_is_wrong_by_a_unit_of_angle_is_told(ratio, words):
-    assert _unit(ratio) == words

@@ -12,12 +12,10 @@ from driftlab.calibration.calibration_history import BEYOND
 from driftlab.diagnosis import (
     _ORDERS,
     _headed,
-    _interval_slip,
     _Judge,
     _levelled,
     _other_starts,
     _rescaled,
-    _turned,
 )
 from driftlab.earth import gravity
 from driftlab.imu import ImuNoise, PriorStandardDeviations
@@ -126,34 +124,6 @@ def test_a_start_is_levelled_and_headed_by_what_is_felt(tilt, degrees):
     turn = to_rotation_vector(multiply(start, conjugate(true)))
     assert np.abs(turn[:2]).max() < 1e-3
     assert abs(turn[2]) <= np.radians(1.01)
-
-
-@pytest.mark.parametrize(
-    ("interval", "ratio", "words"),
-    [
-        (10.0, 1.05e-3, "interval: milliseconds taken for seconds"),
-        (1e4, 0.95e-6, "interval: microseconds taken for seconds"),
-        (0.1, 2.0, "0.2 s instead of 0.1 s, by gravity, or accelerometers with that error of sca"),
-        (0.1, 0.5, "0.05 s instead of 0.1 s, by gravity, or accelerometers with that error of s"),
-        (0.1, 1 - 3.1e-7 * 2000, "by gravity, or a place 2000 m high"),
-        (0.1, 1 - 3.1e-7 * 9100, "accelerometers with that error of scale"),
-        (0.1, 1 + 1e-4, "accelerometers with that error of scale"),
-    ],
-)
-def test_an_interval_that_gravity_contradicts_is_explained(interval, ratio, words):
-    assert words in _interval_slip(interval, ratio)
-
-
-@pytest.mark.parametrize(
-    ("turn", "words"),
-    [
-        ([0.0, 0.0, -5.0], "a heading wrong by 5 degrees"),
-        ([0.3, 0.3, 5.0], "a heading wrong by 5 degrees"),
-        ([3.0, 0.0, 4.0], "an attitude wrong by 5 degrees"),
-    ],
-)
-def test_a_wrong_start_is_one_of_heading_where_it_hardly_tilts(turn, words):
-    assert _turned(np.array(turn)) == f"start: {words}"
 
 
 @pytest.mark.parametrize(("scale", "bound"), [(0.0, 1e-4), (1e-3, BEYOND * 1e-3)])

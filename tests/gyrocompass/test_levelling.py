@@ -404,30 +404,13 @@ def test_a_horizon_that_cannot_follow_is_refused_in_one_run_and_in_many(lead):
         )
 
 
-def test_a_run_in_two_parts_is_one_run():
-    _, angle, velocity = at_rest([0.1, 0.2, 0.3, 0.9], 400, 1.0, drift=(1e-7, 0, 2e-7))
-    gains = damped_gains(0.02, GRAVITY)
-    whole = propagate_level_frame(
-        level_start(), Increments(1.0, angle, velocity), gains, AZIMUTH_RATE
-    )
-    first = propagate_level_frame(
-        level_start(), Increments(1.0, angle[:150], velocity[:150]), gains, AZIMUTH_RATE
-    )
-    second = propagate_level_frame(
-        first.last, Increments(1.0, angle[150:], velocity[150:]), gains, AZIMUTH_RATE
-    )
+@pytest.mark.parametrize("gains", [damped_gains(0.02, GRAVITY), schuler_gains()])
+def test_a_run_in_two_parts_is_one_run(gains):
+    rows = at_rest([0.1, 0.2, 0.3, 0.9], 400, 1.0, drift=(1e-7, 0, 2e-7))
+    whole = propagate_level_frame(level_start(), rows, gains, AZIMUTH_RATE)
+    first = propagate_level_frame(level_start(), rows.part(0, 150), gains, AZIMUTH_RATE)
+    second = propagate_level_frame(first.last, rows.part(150, 400), gains, AZIMUTH_RATE)
     assert np.allclose(second.attitude[-1], whole.attitude[-1], rtol=0, atol=1e-13)
-    undamped = schuler_gains()
-    whole = propagate_level_frame(
-        level_start(), Increments(1.0, angle, velocity), undamped, AZIMUTH_RATE
-    )
-    first = propagate_level_frame(
-        level_start(), Increments(1.0, angle[:150], velocity[:150]), undamped, AZIMUTH_RATE
-    )
-    second = propagate_level_frame(
-        first.last, Increments(1.0, angle[150:], velocity[150:]), undamped, AZIMUTH_RATE
-    )
-    assert np.allclose(second.attitude[-1], whole.attitude[-1], atol=1e-12)
 
 
 @pytest.mark.parametrize("gains", [Gains(0.0, 1e-4), damped_gains(0.05, GRAVITY)])
@@ -468,17 +451,14 @@ GOOD = {
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"increments.interval": -1.0}, r"^increments\.interval: expected a positive number"),
         ({"increments.velocity": np.ones((3, 3))}, r"^increments\.velocity: expected as many"),
         ({"increments.angle": np.zeros(3)}, r"^increments\.angle: expected shape \(..., n, 3\)"),
         ({"every": 3}, "^every: expected a divisor"),
-        ({"every": 0}, "^every: expected a whole number"),
         (
             {"gains": Gains(1.0, 0.0)},
             "^gains, increments.interval: expected a horizon that follows",
         ),
         ({"gains": Gains(-1e-3, 1e-7)}, "^gains, increments.interval: .* got -0.0098"),
-        ({"gains": Gains(0.0, -1e-7)}, "^gains, increments.interval: expected"),
         ({"gains": Gains(0.0, 0.11)}, "^gains, increments.interval: expected"),
         (
             {"gains": Gains(0.0, 0.03), "increments.interval": 2.0},
@@ -502,15 +482,6 @@ GOOD = {
             {"increments.velocity": np.tile([1e50, 0, 0], (4, 1)), "gains": Gains(0.1, 0.1)},
             "^increments: expected increments that a horizon",
         ),
-        (
-            {"start": LevelFrame(np.ones(3), np.zeros(2))},
-            r"^start\.attitude: expected shape \(..., 4\)",
-        ),
-        (
-            {"start": LevelFrame(np.ones(4), np.zeros(3))},
-            r"^start\.rate: expected shape \(..., 2\)",
-        ),
-        ({"start": LevelFrame(np.zeros(4), np.zeros(2))}, r"^start\.attitude: expected nonzero"),
         ({"azimuth_rate": np.zeros((2, 4)), "increments.angle": np.zeros((3, 4, 3))}, "broadcast"),
     ],
 )

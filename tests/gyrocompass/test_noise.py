@@ -239,9 +239,5 @@ def test_impossible_noise_is_refused_by_name(name):
     )
     with pytest.raises(ValueError, match=rf"^{name}: expected a {kind}, got -1e-09\.$"):
         GyroNoise(**{name: -1e-9})
-    with pytest.raises(ValueError, match=rf"^{name}: expected finite numbers, got 1 NaN"):
-        GyroNoise(**{name: np.nan})
-    with pytest.raises(ValueError, match=rf"^{name}: expected one number, got shape \(2,\)"):
-        GyroNoise(**{name: [1.0, 2.0]})
     with pytest.raises(FrozenInstanceError):
         setattr(GyroNoise(), name, 1.0)

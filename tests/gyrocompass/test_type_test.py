@@ -239,10 +239,8 @@ def test_coarse_steps_see_what_fine_ones_see() -> None:
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"gyro_bias": (0.0, 1.0)}, r"gyro_bias: expected"),
         ({"alignment_time": 0.0}, r"alignment_time: expected"),
         ({"speed_log_scale_factor": 0.01}, r"speed_log_scale_factor: expected zero without a log"),
-        ({"gyro_noise": 0.1}, r"gyro_noise: expected"),
         ({"gyro_bias": np.zeros((2, 3))}, r"gyro_bias: expected shape \(3,\), got \(2, 3\)"),
         ({"damping": -1.0}, r"damping: expected a number of at least 0, got -1\.0"),
     ],

@@ -288,21 +288,6 @@ def test_words_that_make_no_sense_are_refused(word):
         Scheme(f"+90Y {word} -90Y")
 
 
-@pytest.mark.parametrize("name", ["dwell", "rate"])
-@pytest.mark.parametrize(
-    ("bad", "words"),
-    [
-        (0.0, r"a positive number, got 0\.0\."),
-    ],
-    ids=[
-        "zero",
-    ],
-)
-def test_pause_and_rate_that_are_not_positive_are_refused(name, bad, words):
-    with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
-        Scheme("+90X", **{name: bad})
-
-
 @pytest.mark.parametrize(
     "start",
     [
@@ -353,18 +338,6 @@ def test_unit_that_stands_senses_gravity_and_the_turning_earth(q, latitude, inte
     np.testing.assert_array_equal(record.velocity, np.zeros((count + 1, 2)))
 
 
-@pytest.mark.parametrize("place", [{}, {"altitude": 30.0}], ids=["sea level", "30 m"])
-def test_standing_is_the_first_pause_of_a_scheme(place):
-    record = turntable_trajectory(MIXED, LATITUDE, 0.5, **place)
-    alone = static_trajectory(MIXED.start_attitude, LATITUDE, 0.5, 4, **place)
-    up = 0.5 * standing_force(LATITUDE, place.get("altitude", 0.0)) @ MIXED_START
-    for one in (record.increments.velocity[:4], alone.increments.velocity):
-        np.testing.assert_allclose(one, np.tile(up, (4, 1)), rtol=0, atol=8 * EPS * 4.9)
-    np.testing.assert_allclose(
-        alone.increments.angle, record.increments.angle[:4], rtol=0, atol=8 * EPS * 7.3e-5
-    )
-
-
 # The mean of a turning matrix
 
 
@@ -397,18 +370,6 @@ def test_average_of_a_small_turn_is_half_of_it(size):
     np.testing.assert_allclose(
         (average + average.T) / 2, np.eye(3), rtol=0, atol=1.5 * size**2 + 4 * EPS
     )
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (([0, 0, 0, 1], 0.8, -0.1, 3), r"^interval: expected a positive number, got -0\.1"),
-        ((np.eye(4), 0.8, 0.1, 3), r"^attitude: expected one quaternion \(4,\), got shape \(4, 4"),
-    ],
-)
-def test_standing_wants_a_time_and_one_attitude(arguments, words):
-    with pytest.raises(ValueError, match=words):
-        static_trajectory(*arguments)
 
 
 def test_a_scheme_may_be_called_by_its_name():

@@ -128,10 +128,3 @@ def test_increments_of_a_turning_body_are_means_of_a_force_that_stands_still():
     angle = np.linalg.norm(found.increments.angle[0])
     mean = found.increments.velocity[0] / 1e-3
     assert np.allclose(mean, force, rtol=0, atol=9.8 * angle**4 / 200)
-
-
-def test_the_velocity_is_a_copy():
-    velocity = np.zeros((3, 2))
-    found = vehicle_trajectory(LATITUDE, velocity, 0.0, interval=1.0)
-    velocity[0] = 99.0
-    assert not found.velocity.any()
