@@ -66,7 +66,7 @@ def test_test_quick_leaves_out_what_is_slow(checks: SimpleNamespace) -> None:
     assert checks.ran[-1][-3:] == [
         "--hypothesis-profile=quick",
         "-m",
-        "not browser and not kernel and not setup and not slow",
+        "not browser and not kernel and not long and not setup and not slow",
     ]
     assert checks.ran[0] == ["-m", "ruff", "check"]
 
@@ -74,7 +74,9 @@ def test_test_quick_leaves_out_what_is_slow(checks: SimpleNamespace) -> None:
 def test_arguments_of_test_go_to_pytest_alone(checks: SimpleNamespace) -> None:
     assert checks.lab.main(["test", "tests/test_drift.py", "-x"]) == 0
     assert checks.lab.main(["test", "--quick", "-x"]) == 0
+    assert checks.lab.main(["test", "--long"]) == 0
     assert checks.ran[0] == ["-m", "pytest", "tests/test_drift.py", "-x"]
+    assert checks.ran[2] == ["-m", "pytest", "-m", "long", *checks.lab.AT_ONCE]
     assert checks.ran[1][:2] == ["-m", "pytest"]
     assert checks.ran[1][2:] == [*checks.lab.QUICK, "-x"]
 
