@@ -129,12 +129,6 @@ def test_meridian_quadrant_is_the_elliptic_integral():
     assert length == pytest.approx(10_001_965.729, abs=5e-4)
 
 
-def test_both_radii_are_one_at_a_pole():
-    along, across = curvature_radii(np.pi / 2)
-    assert along == pytest.approx(SEMI_MAJOR_AXIS**2 / MINOR_AXIS, rel=4 * EPS)
-    assert across == pytest.approx(along, rel=4 * EPS)
-
-
 # Geodetic coordinates
 
 

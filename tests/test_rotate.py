@@ -6,9 +6,6 @@ from hypothesis import given
 from scipy.spatial.transform import Rotation
 
 from driftlab.quaternion import (
-    conjugate,
-    multiply,
-    pure,
     rotate,
     to_matrix,
 )
@@ -30,9 +27,9 @@ def test_no_rotation_changes_nothing():
     np.testing.assert_array_equal(rotate(IDENTITY, vector), vector)
 
 
-@pytest.mark.parametrize("norm", [1e-200, 0.999, 2.0, 1e49])
+@pytest.mark.parametrize("norm", [1e-200, 0.999, 1.0, -2.0, 1e49])
 @given(quaternions(), vectors())
-def test_a_quaternion_of_another_norm_is_the_same_rotation(norm, q, vector):
+def test_a_quaternion_of_any_norm_and_sign_is_scipys_rotation(norm, q, vector):
     """As one is that was written down with three decimals."""
     same = Rotation.from_quat(q)
     np.testing.assert_allclose(rotate(norm * q, vector), same.apply(vector), rtol=0, atol=BOUND)
@@ -43,29 +40,3 @@ def test_a_quaternion_of_another_norm_is_the_same_rotation(norm, q, vector):
 def test_a_zero_quaternion_is_no_rotation(function):
     with pytest.raises(ValueError, match=r"^quaternion: expected nonzero quaternions, got a zero"):
         function([0, 0, 0, 0])
-
-
-@given(quaternions(), vectors())
-def test_rotation_is_scipys(q, vector):
-    expected = Rotation.from_quat(q).apply(vector)
-    np.testing.assert_allclose(rotate(q, vector), expected, rtol=0, atol=BOUND)
-
-
-@given(quaternions(), vectors())
-def test_rotation_is_the_sandwich_product(q, vector):
-    sandwich = multiply(multiply(q, pure(vector)), conjugate(q))
-    np.testing.assert_allclose(pure(rotate(q, vector)), sandwich, rtol=0, atol=BOUND)
-
-
-@given(quaternions(), quaternions(), vectors())
-def test_product_rotates_by_the_second_and_then_by_the_first(p, q, vector):
-    np.testing.assert_allclose(
-        rotate(multiply(p, q), vector), rotate(p, rotate(q, vector)), rtol=0, atol=3 * BOUND
-    )
-
-
-@given(quaternions())
-def test_matrix_is_scipys(q):
-    expected = Rotation.from_quat(q).as_matrix()
-    np.testing.assert_allclose(to_matrix(q), expected, rtol=0, atol=2 * BOUND)
-    np.testing.assert_allclose(to_matrix(q) @ to_matrix(q).T, np.eye(3), rtol=0, atol=2 * BOUND)

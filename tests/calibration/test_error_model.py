@@ -1,5 +1,8 @@
 """Wu (45)-(48): the states, and what is known of them before."""
 
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
@@ -227,3 +230,15 @@ def test_a_name_that_no_model_has_is_told_those_that_there_are():
         ERROR_MODELS["27"]
     assert "27" not in ERROR_MODELS
     assert ERROR_MODELS.get("27") is None
+
+
+def test_threads_are_given_the_same_model():
+    """Models are told apart as objects: a filter refuses an earlier pass that is of another."""
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)  # they take turns as often as they can
+    try:
+        with ThreadPoolExecutor(8) as threads:
+            found = threads.map(ERROR_MODELS["lower triangle"].with_states, ["time skew"] * 8)
+            assert len({id(model) for model in found}) == 1
+    finally:
+        sys.setswitchinterval(before)

@@ -124,36 +124,6 @@ def test_start_in_the_axes_of_the_table_is_wrong_by_the_misalignment():
 # Short times, in closed form
 
 
-def test_drift_tilts_and_accelerates():
-    """phi = -C eps t, dv = f × phi t/2, dp = f × phi t^2/6."""
-    drift = 1e-7 * np.array([3.0, -2.0, 4.0])
-    way = at_rest(unit_of(gyro_bias=drift), output_interval=20.0, interval=0.5)
-    np.testing.assert_array_equal(way.times, [20, 40, 60])
-    time = way.times[:, np.newaxis]
-    phi = -drift * time
-    acceleration = GRAVITY * np.stack([-phi[:, 1], phi[:, 0]], axis=-1)
-    # Meanwhile the Earth turns, a pendulum of Schuler's swings, and sums over steps of 1 s stand
-    # for integrals of squares of the time.
-    bound = 0.5 * EARTH_RATE * way.times + 1.6e-6 * way.times**2 + 0.5 / way.times**2
-    for found, expected in (
-        (way.attitude, phi),
-        (way.velocity, acceleration * time / 2),
-        (way.position, acceleration * time**2 / 6),
-    ):
-        scale = np.abs(expected).max(axis=-1)
-        furthest = np.abs(found - expected).max(axis=-1) / scale
-        assert (furthest < bound).all()
-
-
-def test_accelerometer_bias_accelerates():
-    bias = np.array([1e-4, -2e-4, 0.0])
-    way = at_rest(unit_of(accelerometer_bias=bias), output_interval=10.0, interval=0.5)
-    time = way.times[:, np.newaxis]
-    # Schuler's pendulum at its beginning, and Coriolis, 2e-2 of the velocity in all.
-    np.testing.assert_allclose(way.velocity, bias[:2] * time, rtol=2e-2)
-    np.testing.assert_allclose(way.position, bias[:2] * time**2 / 2, rtol=2e-2)
-
-
 def test_errors_of_the_triads_are_biases_as_long_as_the_unit_stands():
     """K w and L f, of the one rate and the one force that there are."""
     rate, force = TO_LOCAL.T @ earth_rate(LATITUDE), TO_LOCAL.T @ np.array([0.0, 0.0, GRAVITY])
@@ -169,41 +139,6 @@ def test_errors_of_the_triads_are_biases_as_long_as_the_unit_stands():
 
 
 # Long times: a pendulum of Schuler's, and the error equations
-
-
-def test_tilt_swings_with_schulers_period():
-    """At the equator East and Up are apart: phi = a cos(w t), and the place swings by a R."""
-    tilt, gravity_there = 5e-5, float(gravity(0.0))
-    _, across = curvature_radii(0.0)
-    standing = np.array([0.0, 0.0, 0.0, 1.0])
-    way = navigate_static(
-        NO_ERRORS,
-        NO_ERRORS,
-        standing,
-        start=tilted([0.0, tilt, 0.0], standing),
-        reference=standing,
-        latitude=0.0,
-        duration=15000.0,
-        interval=1.0,
-        output_interval=20.0,
-    )
-    frequency = np.sqrt(gravity_there / across)
-    phase = frequency * way.times
-    assert phase[-1] > 5.5 * np.pi
-    # The pendulum is 2e-3 faster at the third swing's end: the Earth turns under it.
-    np.testing.assert_allclose(way.attitude[:, 1] / tilt, np.cos(phase), rtol=0, atol=0.02)
-    speed = tilt * np.sqrt(gravity_there * across)
-    np.testing.assert_allclose(way.velocity[:, 0] / speed, -np.sin(phase), rtol=0, atol=0.02)
-    place = way.position[:, 0] / (tilt * across)
-    np.testing.assert_allclose(place, np.cos(phase) - 1, rtol=0, atol=0.02)
-    # Two and a half periods from one zero of the velocity to another.
-    zeros = np.flatnonzero(np.diff(np.sign(way.velocity[:, 0])))
-    before, after = way.velocity[zeros, 0], way.velocity[zeros + 1, 0]
-    times = way.times[zeros] + 20.0 * before / (before - after)
-    assert len(times) == 5
-    period = np.diff(times).mean() * 2
-    assert period == pytest.approx(2 * np.pi * np.sqrt(across / gravity_there), rel=2e-3)
-    assert period == pytest.approx(84.4 * 60, rel=2e-3)
 
 
 def growth(latitude):

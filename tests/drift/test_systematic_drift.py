@@ -143,11 +143,6 @@ def test_exact_roots_come_in_the_promised_order():
     np.testing.assert_allclose(exact_roots(RATE, measured), expected, rtol=0, atol=8 * EPS)
 
 
-def test_roots_of_equal_and_of_zero_rates():
-    np.testing.assert_array_equal(exact_roots(RATE, RATE)[2:], 0)
-    np.testing.assert_array_equal(exact_roots(np.zeros(3), np.zeros(3)), 0)
-
-
 @pytest.mark.parametrize("size", [1e-15, 1e-12, 1e-6, 0.5])
 def test_slow_roots_keep_their_digits(size):
     measured = (1 + size) * RATE

@@ -308,22 +308,6 @@ def test_the_latitude_keeps_its_digits_near_the_pole():
 # The Earth's radius
 
 
-def test_any_radius_will_do():
-    velocity, radius = np.array([12.0, -30.0]), 3.4e6
-    north, up, east = navigation_frame_rate(LATITUDE, velocity, radius)
-    assert north == pytest.approx(EARTH_RATE * np.cos(LATITUDE) - 30 / radius, rel=1e-14)
-    assert east == pytest.approx(-12 / radius, rel=1e-14)
-    expected = EARTH_RATE * np.sin(LATITUDE) - 30 / radius * np.tan(LATITUDE)
-    assert up == pytest.approx(expected, rel=1e-14)
-    assert speed_error(LATITUDE, velocity, radius) == pytest.approx(np.arctan2(east, north))
-    found = operating_heading_error(
-        LATITUDE, velocity, [1e-4, 2e-4], [0, 0], [0, 0], 0.0, 0.0, 0.0, radius
-    )
-    turned = np.cross([north, up, east], [1e-4, 0.0, 2e-4])
-    expected = (north * turned[2] - east * turned[0]) / (north**2 + east**2)
-    assert found.compass_angle == pytest.approx(expected, rel=1e-12)
-
-
 @pytest.mark.parametrize("latitude", [0.0, 0.9, -1.3])
 def test_effect_of_the_north_drift_grows_with_the_speed_on_a_fixed_course(latitude):
     """Up to the speed of the ground, and on every course but due East and due West."""

@@ -253,25 +253,6 @@ def test_the_azimuth_channel_is_open_and_the_heading_is_not():
     )
 
 
-def test_an_error_of_the_latitude_acts_like_a_drift_about_up():
-    """The computer then turns its horizon in azimuth by U cos(latitude) times the error less."""
-    error = np.radians(0.1)
-    drift = EARTH_RATE * (np.sin(LATITUDE + error) - np.sin(LATITUDE))
-    common = (7200, 10.0)
-    wrong = propagate_level_frame(
-        level_start(), at_rest([0, 0, 0, 1], *common), schuler_gains(), AZIMUTH_RATE + drift
-    )
-    drifting = propagate_level_frame(
-        level_start(),
-        at_rest([0, 0, 0, 1], *common, drift=(0, -drift, 0)),
-        schuler_gains(),
-        AZIMUTH_RATE,
-    )
-    swing = drift / SCHULER
-    assert np.allclose(wrong.heading, drifting.heading, rtol=0, atol=0.01 * swing)
-    assert np.abs(wrong.heading).max() == pytest.approx(swing, rel=0.02)
-
-
 def piecewise(start, angle, velocity, interval, gains, way, piece=100):
     """Level rates (k, 2), yaws, and tilts (k, 2) along a way, the azimuth rate told by pieces.
 

@@ -289,18 +289,7 @@ def test_words_that_make_no_sense_are_refused(word):
 
 
 @pytest.mark.parametrize(
-    "start",
-    [
-        ("East", "North", "Down"),
-        ("North", "East", "Up"),
-        ("East", "East", "Up"),
-        ("East", "West", "Up"),
-        ("east", "north", "up"),
-        ("East", "North"),
-        ("East", "North", "Up", "Up"),
-        "Up",
-    ],
-    ids=str,
+    "start", ["East North Down", "East East Up", "East West Up", "east north up", "East North"]
 )
 def test_starts_that_are_not_three_right_handed_directions_are_refused(start):
     with pytest.raises(
@@ -308,7 +297,7 @@ def test_starts_that_are_not_three_right_handed_directions_are_refused(start):
         match=r"^start: expected three of East, West, North, South, Up, Down for x, y, z, "
         "right-handed, got ",
     ):
-        Scheme("+90X", start)
+        Scheme("+90X", start.split())
 
 
 # Standing still
@@ -348,14 +337,6 @@ def test_left_jacobian_is_the_mean_of_the_matrices(vector):
     matrices = Rotation.from_rotvec(0.5 * (1 + points)[:, np.newaxis] * vector).as_matrix()
     expected = np.einsum("i,ijk->jk", 0.5 * weights, matrices)
     np.testing.assert_allclose(left_jacobian(vector), expected, rtol=0, atol=64 * EPS)
-
-
-@given(vectors(6.0))
-def test_left_jacobian_times_the_cross_product_is_the_whole_rotation_less_one(vector):
-    """The matrix satisfies C' = C [w x], so its mean times [w x] is its growth."""
-    cross = np.cross(vector, np.eye(3)).T
-    growth = Rotation.from_rotvec(vector).as_matrix() - np.eye(3)
-    np.testing.assert_allclose(left_jacobian(vector) @ cross, growth, rtol=0, atol=256 * EPS)
 
 
 @pytest.mark.parametrize("size", [1e-12, 1e-9, 1e-6])
