@@ -236,17 +236,6 @@ def test_gravitation_and_centrifugal_force_make_gravity_along_the_vertical(
     )
 
 
-@given(latitudes, longitudes, altitudes)
-def test_gravitation_turns_with_the_longitude(latitude, longitude, altitude):
-    place = position_vector(latitude, altitude)
-    np.testing.assert_allclose(
-        gravitation(turned(place, longitude)),
-        turned(gravitation(place), longitude),
-        rtol=0,
-        atol=10 * 16 * EPS,
-    )
-
-
 # Refusals
 
 

@@ -54,20 +54,6 @@ def test_compensating_the_true_errors_gives_the_true_increments(
     np.testing.assert_allclose(found.velocity, velocity, rtol=0, atol=256 * EPS)
 
 
-def test_compensation_undoes_the_matrix_after_the_bias():
-    """In this order: a bias is what the sensor says at rest, not what it senses."""
-    ones = np.ones((1, 3))
-    found = compensate(Increments(0.5, ones, 2 * ones), UNIT)
-    np.testing.assert_allclose(
-        (np.eye(3) + BENT) @ found.angle[0] + 0.5 * UNIT.gyro_bias, ones[0], rtol=4 * EPS
-    )
-    np.testing.assert_allclose(
-        (np.eye(3) + OTHER) @ found.velocity[0] + 0.5 * UNIT.accelerometer_bias,
-        2 * ones[0],
-        rtol=8 * EPS,
-    )
-
-
 def test_each_of_many_units_has_its_own_errors():
     rng = np.random.default_rng(4)
     many = random_imu_errors(PriorStandardDeviations(scale_factor=0.1, installation=0.1), rng, 2, 3)

@@ -330,14 +330,3 @@ def test_any_axes_end_with_the_reduction_of_the_same_covariance(frame):
     np.testing.assert_allclose(
         found / np.outer(sizes, sizes), expected / np.outer(sizes, sizes), rtol=0, atol=1e-7
     )
-
-
-def test_noise_of_the_sensors_makes_it_worse():
-    way, prior = linearize_along(SHORT, LATITUDE, AVERAGED), PriorStandardDeviations()
-    plain = covariance_analysis(way, ImuNoise(0, 0), prior)
-    for noise in (ImuNoise(1e-5, 0), ImuNoise(0, 1e-3), ImuNoise(0, 0, 0.02)):
-        more = covariance_analysis(way, noise, prior) - plain
-        sizes = np.sqrt(np.diag(plain))
-        values = np.linalg.eigvalsh(more / np.outer(sizes, sizes))
-        assert values[0] > -1e-9
-        assert values[-1] > 0.1

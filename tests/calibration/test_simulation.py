@@ -356,18 +356,6 @@ def test_errors_of_a_perfect_calibration_are_zero(frame):
 # How a trial runs
 
 
-def test_history_of_a_trial_has_times_and_shapes():
-    updates = (19 * 6 + 18 * 9) // 3
-    for runs, lead in ((None, ()), (1, (1,)), (3, (3,))):
-        trial = BRIEF.run(np.random.default_rng(0), runs)
-        assert trial.errors.shape == (*lead, 5, 27)
-        assert trial.nees.shape == (*lead, 5)
-        assert trial.calibration.nis.shape == (*lead, updates)
-        assert trial.imu_errors.gyro_error_matrix.shape == (*lead, 3, 3)
-        np.testing.assert_allclose(trial.calibration.times, [60, 120, 180, 240, 276], rtol=4 * EPS)
-        assert trial.calibration.model is ERROR_MODELS["averaged"]
-
-
 def test_errors_count_against_the_attitude_at_the_times_of_the_history():
     trial = replace(BRIEF, keep=1).run(np.random.default_rng(5))
     record = turntable_trajectory(BRIEF.scheme, BRIEF.latitude, 0.5, multiple_of=6)
