@@ -52,21 +52,16 @@ for name in [*sys.modules]:
         sys.modules[name] = None
 import driftlab.book.panels as panels
 assert panels.EXPLORERS and panels.SCENES
-print(sorted({"sympy", "jupyterlab", "tqdm", "pooch", "nbformat"} & sys.modules.keys()))
+late = {"scipy.stats", "scipy.signal"}  # they take a third of a second or more
+print(sorted({"sympy", "jupyterlab", "tqdm", "pooch", "nbformat", *late} & sys.modules.keys()))
 """
     assert printed_by("-c", code) == "[]"
 
 
-@pytest.mark.parametrize("wanted", ["driftlab.__all__", "driftlab.book.panels"])
-def test_nothing_loads_the_statistics_of_scipy_before_it_needs_them(wanted):
-    """They, and the filters that bring them along, take a third of a second or more."""
-    lines = {
-        "driftlab.__all__": "[getattr(driftlab, name) for name in driftlab.__all__]",
-        "driftlab.book.panels": "import driftlab.book.panels",
-    }
+def test_nothing_loads_the_statistics_of_scipy_before_it_needs_them():
     loaded = "sorted({'scipy.stats', 'scipy.signal'} & sys.modules.keys())"
-    code = f"import sys, driftlab; {lines[wanted]}; print({loaded})"
-    assert printed_by("-c", code) == "[]"
+    names = "[getattr(driftlab, name) for name in driftlab.__all__]"
+    assert printed_by("-c", f"import sys, driftlab; {names}; print({loaded})") == "[]"
 
 
 def test_one_subject_loads_no_other():
