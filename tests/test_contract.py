@@ -109,7 +109,7 @@ def test_leading_axes_are_loops(module):
                 where = f"{door.name}{place}"
                 assert np.shape(alike) == np.shape(one), where
                 # The same few operations in another order, some on an error matrix plus one.
-                bound = 1e-12 * np.max(np.abs(one), initial=0.0) + 1e-14
+                bound = 1e-13 * np.max(np.abs(one), initial=0.0) + 1e-14
                 np.testing.assert_allclose(alike, one, rtol=0, atol=bound, err_msg=where)
 
 
