@@ -6,7 +6,7 @@ import subprocess
 import sys
 from fractions import Fraction
 from functools import cache
-from itertools import combinations
+from itertools import chain, combinations, product
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -37,18 +37,12 @@ from wrong_answers import WRONG
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 EXERCISES = all_exercises()
 VALUES = {n: e for n, e in EXERCISES.items() if isinstance(e, Value)}
-FORMULAS = {n: e for n, e in EXERCISES.items() if isinstance(e, Formula)}
+CHOICES = {n: e for n, e in EXERCISES.items() if isinstance(e, Choice)}
 
 
 def words_on(answer):
     """Why; without, a choice is told no more than that it is not right, and each has its own."""
     return f"Because it looks so: {answer!r}."
-
-
-@cache
-def replies(number):
-    """What the book says to each of the wrong answers."""
-    return [verdict(number, answer, because=words_on(answer)) for answer, _ in WRONG[number]]
 
 
 def test_chapters_have_four_or_more_of_every_kind_in_order():
@@ -69,94 +63,96 @@ def text_of(path):
     return "\n\n".join("".join(cell["source"]) for cell in cells)
 
 
-@pytest.mark.parametrize("number", EXERCISES)
-def test_an_exercise_has_all_its_parts(number):
-    chapter, kind = number.split(".")[0].zfill(2), EXERCISES[number].kind.capitalize()
-    (path,) = NOTEBOOKS.glob(f"{chapter}_*.ipynb")
-    help_ = hints_of(chapter).get(number)
-    text, solution = text_of(path), text_of(NOTEBOOKS / "solutions" / path.name)
-    parts = {
-        f'a heading "### {number} {kind}" in {path.name}': f"### {number} {kind}\n"
-        in text_of(path),
-        f'a cell that ends in check("{number}", ...)': f'check("{number}", answer' in text,
-        f'["{number}"] in the chapter\'s hints.toml': help_ is not None,
-        "a model in its hints, which shows how to answer in words": (
-            kind != "Explain" or bool(help_ and help_.model)
-        ),
-        f'a heading "## {number} {kind}" in solutions/{path.name}': (
-            f"## {number} {kind}\n" in solution
-        ),
-        f"wrong answers in tests/book/wrong_answers/ch{chapter}.py": bool(WRONG.get(number)),
-    }
-    missing = [what for what, is_there in parts.items() if not is_there]
-    assert not missing, f"exercise {number} lacks " + "; ".join(missing)
+def test_an_exercise_has_all_its_parts():
+    missing = []
+    for number, exercise in EXERCISES.items():
+        chapter, kind = number.split(".")[0].zfill(2), exercise.kind.capitalize()
+        (path,) = NOTEBOOKS.glob(f"{chapter}_*.ipynb")
+        help_ = hints_of(chapter).get(number)
+        text, solution = text_of(path), text_of(NOTEBOOKS / "solutions" / path.name)
+        parts = {
+            f'a heading "### {number} {kind}" in {path.name}': f"### {number} {kind}\n" in text,
+            f'a cell that ends in check("{number}", ...)': f'check("{number}", answer' in text,
+            f'["{number}"] in the chapter\'s hints.toml': help_ is not None,
+            "a model in its hints, which shows how to answer in words": (
+                kind != "Explain" or bool(help_ and help_.model)
+            ),
+            f'a heading "## {number} {kind}" in solutions/{path.name}': (
+                f"## {number} {kind}\n" in solution
+            ),
+            f"wrong answers in tests/book/wrong_answers/ch{chapter}.py": bool(WRONG.get(number)),
+        }
+        missing += [f"exercise {number} lacks {what}" for what, there in parts.items() if not there]
+    assert not missing, "; ".join(missing)
 
 
-@pytest.mark.parametrize("number", EXERCISES)
-@pytest.mark.parametrize("answer", [..., None, "", "?", "...", [1.0, ...]])
-def test_what_is_not_answered_is_neither_right_nor_wrong(number, answer):
-    assert verdict(number, answer)[:2] == (None, "not answered yet.")
+def test_what_is_not_answered_is_neither_right_nor_wrong():
+    for number in EXERCISES:
+        for answer in (..., None, "", "?", "...", [1.0, ...]):
+            assert verdict(number, answer)[:2] == (None, "not answered yet."), (number, answer)
 
 
-@pytest.mark.parametrize("number", EXERCISES)
-def test_wrong_answer_is_refused_with_its_reason(number):
-    assert WRONG.get(number), "no wrong answer to try"
-    for (_, words), reply in zip(WRONG[number], replies(number), strict=True):
-        assert reply.right is False
-        assert re.search(words, reply.says), reply.says
+def test_right_answer_passes_and_each_mistake_is_told_apart():
+    for number, exercise in EXERCISES.items():
+        if isinstance(exercise, Value):
+            right, mistakes = computed(exercise)
+        elif isinstance(exercise, Formula):
+            right, mistakes = key_of(exercise).right, key_of(exercise).mistakes.items()
+        else:
+            continue  # choices are below
+        assert verdict(number, right).right, number
+        for says, slip in mistakes:
+            assert verdict(number, slip)[:2] == (False, f"not yet. {says}"), number
 
 
-@pytest.mark.parametrize("number", VALUES)
-def test_right_value_passes_and_each_mistake_is_told_apart(number):
-    exercise = VALUES[number]
-    right, mistakes = computed(exercise)
-    assert exercise.verdict(right).right
-    for says, value in mistakes:
-        assert exercise.verdict(value)[:2] == (False, f"not yet. {says}")
+def numbers_in(texts):
+    return set(re.findall(r"\d+\.?\d*", " ".join(texts)))
 
 
-@pytest.mark.parametrize("number", FORMULAS)
-def test_right_formula_passes_and_each_mistake_is_told_apart(number):
-    exercise = FORMULAS[number]
-    assert exercise.verdict(key_of(exercise).right).right
-    for says, function in key_of(exercise).mistakes.items():
-        assert exercise.verdict(function)[:2] == (False, f"not yet. {says}")
+def entries(number, above):
+    """The entries of the right value, as a reply might name them, without those that are small."""
+    right = np.abs(computed(EXERCISES[number])[0])
+    return {f"{entry:.3g}" for entry in right.flat if entry > above}
 
 
-@pytest.mark.parametrize("number", VALUES)
-def test_no_wrong_answer_is_told_the_right_one(number):
-    exercise = VALUES[number]
-    right = {f"{entry:.3g}" for entry in np.abs(computed(exercise)[0]).flat if entry > 0.1}
-    said = " ".join(reply.says for reply in replies(number))
-    assert not right & set(re.findall(r"\d+\.?\d*", said))
+def test_wrong_answer_is_refused_with_its_reason_and_not_told_the_right_one():
+    for number, wrong in WRONG.items():
+        replies = [verdict(number, answer, because=words_on(answer)) for answer, _ in wrong]
+        for (answer, words), reply in zip(wrong, replies, strict=True):
+            assert reply.right is False, (number, answer)
+            assert re.search(words, reply.says), (number, answer, reply.says)
+        if number in VALUES:
+            assert not entries(number, 0.1) & numbers_in(reply.says for reply in replies), number
 
 
-@pytest.mark.parametrize("number", [n for n, e in EXERCISES.items() if isinstance(e, Choice)])
-def test_choice_names_what_is_wrong_with_every_other_statement(number):
-    exercise = EXERCISES[number]
-    key = key_of(exercise)
-    right = "".join(sorted(key.right))
-    assert exercise.letters == "abcdefgh"[: len(exercise.letters)]
-    assert not key.right & set(key.mistakes)
-    assert verdict(number, right).right
-    for letter, reason in key.mistakes.items():
-        says = f"not yet. ({letter}) {reason}"
-        assert verdict(number, right + letter, because=words_on(right + letter))[:2] == (
-            False,
-            says,
-        )
-    less = verdict(number, right[1:], because=words_on(right[1:]))
-    assert less[:2] == (False, "not yet. What you chose is true, and something else is too.")
+def test_no_hint_gives_the_answer():
+    for number in VALUES:
+        rungs = hints_of(number.split(".")[0].zfill(2))[number].rungs
+        assert not entries(number, 2) & numbers_in(rungs), number
 
 
-@pytest.mark.parametrize("number", [n for n, e in EXERCISES.items() if isinstance(e, Choice)])
-def test_choice_tells_who_gives_no_reason_nothing_to_find_it_by(number):
+def test_choice_names_what_is_wrong_with_every_other_statement():
+    for number, exercise in CHOICES.items():
+        key = key_of(exercise)
+        right = "".join(sorted(key.right))
+        assert exercise.letters == "abcdefgh"[: len(exercise.letters)]
+        assert not key.right & set(key.mistakes)
+        assert verdict(number, right).right, number
+        for letter, reason in key.mistakes.items():
+            more = right + letter
+            says = f"not yet. ({letter}) {reason}"
+            assert verdict(number, more, because=words_on(more))[:2] == (False, says), number
+        less = verdict(number, right[1:], because=words_on(right[1:]))
+        assert less[:2] == (False, "not yet. What you chose is true, and something else is too.")
+
+
+def test_choice_tells_who_gives_no_reason_nothing_to_find_it_by():
     """So that whoever tries has to try all: with one reply to all, no order of trials is better."""
-    letters = EXERCISES[number].letters
-    tries = ["".join(each) for n in range(1, 7) for each in combinations(letters, n)]
-    found = [verdict(number, each) for each in tries]
-    assert sum(each.right for each in found) == 1
-    assert len({each.says for each in found if not each.right}) == 1
+    for number, exercise in CHOICES.items():
+        tries = (combinations(exercise.letters, n) for n in range(1, 7))
+        found = [verdict(number, "".join(each)) for each in chain(*tries)]
+        assert sum(each.right for each in found) == 1, number
+        assert len({each.says for each in found if not each.right}) == 1, number
 
 
 JUDGED = "verdict('3.1', [1, 1, -1, 0, 0, 0]); verdict('3.3', 'ad'); verdict('3.5', len)"
@@ -192,13 +188,12 @@ def test_exercises_of_a_kind_are_listed():
         by_kind("guess")
 
 
-@pytest.mark.parametrize("number", EXERCISES)
-def test_no_public_attribute_leads_to_what_is_right(number):
-    exercise = EXERCISES[number]
-    public = {name: getattr(exercise, name) for name in dir(exercise) if not name.startswith("_")}
-    assert not {"right", "wrong", "expected", "feedback"} & public.keys()
-    assert public.pop("mistakes", {}) == {}  # the default of an argument
-    assert repr(key_of(exercise).right) not in repr(exercise)
+def test_no_public_attribute_leads_to_what_is_right():
+    for exercise in EXERCISES.values():
+        public = {each: getattr(exercise, each) for each in dir(exercise) if each[0] != "_"}
+        assert not {"right", "wrong", "expected", "feedback"} & public.keys()
+        assert public.pop("mistakes", {}) == {}  # the default of an argument
+        assert repr(key_of(exercise).right) not in repr(exercise)
 
 
 GIVING = [n for n, e in EXERCISES.items() if getattr(e, "given", None)]
@@ -221,16 +216,15 @@ def test_students_have_numbers_of_their_own_and_mistakes_told_apart(number):
     assert others <= 2, "the book's answer is right for nearly nobody else"
 
 
-@pytest.mark.parametrize("number", GIVING)
-def test_given_numbers_are_shown_as_code_that_makes_them(number):
-    for student in ("", "Ada Lovelace"):
+def test_given_numbers_are_shown_as_code_that_makes_them():
+    for number, student in product(GIVING, ("", "Ada Lovelace")):
         numbers = given(number, student=student)
         assert len(numbers) == len(list(numbers))
         names = {}
         exec(repr(numbers), {"np": np}, names)
         assert names.keys() == numbers.keys()
         for name, value in numbers.items():
-            np.testing.assert_array_equal(names[name], value)
+            np.testing.assert_array_equal(names[name], value, number)
 
 
 def test_words_on_one_choice_say_nothing_of_another_for_a_program_either():
@@ -258,17 +252,14 @@ ENDLESS = []
 ENDLESS.append(ENDLESS)
 
 
-@pytest.mark.parametrize(
-    "answer",
-    [10**400, [10**400], Fraction(10**400), Unwilling(), [Unwilling()], deep(900), ENDLESS],
-    ids=["number", "list", "fraction", "object", "objects", "deep", "endless"],
-)
-@pytest.mark.parametrize("number", ["1.1", "3.2", "3.3", "1.5"])
-def test_whatever_is_handed_in_is_judged_and_recorded(number, answer):
-    card = exercises.judged(number, answer, exercises.Progress())
-    assert card.verdict.word == "not readable"
-    assert json.loads(json.dumps(card.record))["word"] == "not readable"
-    assert "not readable" in repr(card)
+def test_whatever_is_handed_in_is_judged_and_recorded():
+    large = 10**400
+    answers = large, [large], Fraction(large), Unwilling(), [Unwilling()], deep(900), ENDLESS
+    for number, (i, answer) in product(("1.1", "3.2", "3.3", "1.5"), enumerate(answers)):
+        card = exercises.judged(number, answer, exercises.Progress())
+        assert card.verdict.word == "not readable", (number, i)
+        assert json.loads(json.dumps(card.record))["word"] == "not readable", (number, i)
+        assert "not readable" in repr(card), (number, i)
 
 
 def test_letters_that_come_one_by_one_are_read_once():
@@ -292,21 +283,16 @@ def test_a_rotation_of_scipy_is_a_quaternion():
     assert verdict("1.4", Rotation.from_quat(right)).right
 
 
-@pytest.mark.parametrize(
-    ("name", "same"),
-    [
-        ("Ταΐς", "ΤΑΪΣ"),
+def test_a_name_is_the_same_however_a_keyboard_has_it():
+    for name, same in (
+        ("Ταΐς", "Ταΐς".upper()),
         ("Ada Lovelace", " ada\u200b  LOVELACE"),
         ("D’Arcy", "d'arcy"),
         ("Jean‑Luc", "jean-luc"),
         ("ｋｉｍ", "Kim"),
-    ],
-)
-def test_a_name_is_the_same_however_a_keyboard_has_it(name, same):
-    if name == "Ταΐς":
-        same = name.upper()
-    mine, again = (given("3.4", student=each) for each in (name, same))
-    assert repr(mine).split("\n")[1:] == repr(again).split("\n")[1:]
+    ):
+        mine, again = (given("3.4", student=each) for each in (name, same))
+        assert repr(mine).split("\n")[1:] == repr(again).split("\n")[1:], name
     assert given("3.4", student="\ud800")  # half a sign, which no file can hold
 
 
@@ -400,14 +386,6 @@ def test_every_exercise_has_a_ladder_that_ends_in_a_section_of_its_chapter():
             assert each.model or EXERCISES[number].kind != "explain", number
 
 
-@pytest.mark.parametrize("number", VALUES)
-def test_no_hint_gives_the_answer(number):
-    exercise = VALUES[number]
-    right = {f"{entry:.3g}" for entry in np.abs(computed(exercise)[0]).flat if entry > 2}
-    ladder = " ".join(hints_of(number.split(".")[0].zfill(2))[number].rungs)
-    assert not right & set(re.findall(r"\d+\.?\d*", ladder))
-
-
 ALL_AT_THEIR_ENDS = {f"m{i}{j}": 2.0 for i in (1, 2, 3) for j in (1, 2, 3)}
 TURNED = {"kxy": -40.0, "kyx": 40.0, "kxz": 40.0, "kzx": -40.0, "kyz": -40.0, "kzy": 40.0}
 SETTINGS = {
@@ -439,15 +417,14 @@ def panel_at(panel_class, preset, settings):
     return SimpleNamespace(values={**values, **panel_class.presets[preset], **settings})
 
 
-@pytest.mark.parametrize("number", SETTINGS)
-def test_panel_is_read_as_an_answer(number):
-    panel_class, preset, settings = SETTINGS[number]
-    assert verdict(number, panel_at(panel_class, preset, {})).right is False
-    found = panel_at(panel_class, preset, {**settings, **FOUND.get(number, {})})
-    assert verdict(number, found).right
-    other = book.SplitExplorer if number != "7.2" else book.DriftExplorer
-    stranger = panel_at(other, next(iter(other.presets)), {})
-    assert verdict(number, stranger).says.startswith("not readable. Expected the panel of this")
+def test_panel_is_read_as_an_answer():
+    for number, (panel_class, preset, settings) in SETTINGS.items():
+        assert verdict(number, panel_at(panel_class, preset, {})).right is False, number
+        found = panel_at(panel_class, preset, {**settings, **FOUND.get(number, {})})
+        assert verdict(number, found).right, number
+        other = book.SplitExplorer if number != "7.2" else book.DriftExplorer
+        stranger = panel_at(other, next(iter(other.presets)), {})
+        assert verdict(number, stranger).says.startswith("not readable. Expected the panel of this")
 
 
 def test_panel_that_is_set_otherwise_is_told_so():

@@ -15,9 +15,6 @@ from driftlab.book.ledger import KINDS, PAPERS, PUBLISHERS, SEVERITIES, STATUSES
 from support import ROOT
 
 ENTRIES = ledger.ledger_entries()
-every_entry = pytest.mark.parametrize(
-    "entry", ENTRIES, ids=lambda entry: f"{entry.paper} {entry.label}"
-)
 
 # Every number that the papers give to an equation, a table or a figure.
 NUMBERED = {
@@ -65,63 +62,62 @@ def functions_in(path):
     return {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
 
 
-@pytest.mark.parametrize("paper", WORKS)
-def test_every_number_of_every_paper_is_there_once(paper):
-    labels = [entry.label for entry in ENTRIES if entry.paper == paper]
-    assert labels
-    assert len(set(labels)) == len(labels)
-    expected = NUMBERED.get(paper, []) + NAMED.get(paper, [])
-    assert [label for label in expected if label not in labels] == []
+def test_every_number_of_every_paper_is_there_once():
+    for paper in WORKS:
+        labels = [entry.label for entry in ENTRIES if entry.paper == paper]
+        assert labels, paper
+        assert len(set(labels)) == len(labels), paper
+        expected = NUMBERED.get(paper, []) + NAMED.get(paper, [])
+        assert [label for label in expected if label not in labels] == [], paper
 
 
-@every_entry
-def test_entry_is_complete(entry):
-    assert entry.paper in WORKS
-    assert entry.kind in KINDS
-    assert entry.status in STATUSES
-    assert entry.says.endswith(".")
-    corrections = (entry.severity, entry.line, entry.copy, entry.right, entry.proof)
-    corrected = entry.status == "corrected"
-    assert not (corrected and entry.paper in PUBLISHERS)  # ERRATA.md is of the four papers
-    assert all(corrections) if corrected else not any((*corrections, entry.in_favour))
-    assert not corrected or entry.severity in SEVERITIES
-    assert "`" not in entry.line
-    for text in (entry.says, entry.remark, *corrections[2:], entry.in_favour):
-        assert text.count("$") % 2 == 0, text
+def test_entries_are_complete():
+    for entry in ENTRIES:
+        of = f"{entry.paper} {entry.label}"
+        assert entry.paper in WORKS, of
+        assert entry.kind in KINDS, of
+        assert entry.status in STATUSES, of
+        assert entry.says.endswith("."), of
+        corrections = (entry.severity, entry.line, entry.copy, entry.right, entry.proof)
+        corrected = entry.status == "corrected"
+        assert not (corrected and entry.paper in PUBLISHERS), of  # ERRATA.md is of the four papers
+        parts = all(corrections) if corrected else not any((*corrections, entry.in_favour))
+        assert parts, of
+        assert not corrected or entry.severity in SEVERITIES, of
+        assert "`" not in entry.line, of
+        for text in (entry.says, entry.remark, *corrections[2:], entry.in_favour):
+            assert text.count("$") % 2 == 0, text
 
 
-@every_entry
-def test_entry_has_its_place_in_the_book(entry):
-    headings = [
-        heading
-        for cell in notebook(entry.chapter).cells
-        if cell.cell_type == "markdown"
-        for heading in re.findall(r"^#+ (.*)$", cell.source, flags=re.MULTILINE)
-    ]
-    assert entry.section in headings
+def test_entries_have_their_places_in_the_book():
+    for entry in ENTRIES:
+        headings = [
+            heading
+            for cell in notebook(entry.chapter).cells
+            if cell.cell_type == "markdown"
+            for heading in re.findall(r"^#+ (.*)$", cell.source, flags=re.MULTILINE)
+        ]
+        assert entry.section in headings, f"{entry.paper} {entry.label}"
 
 
-@every_entry
-def test_functions_and_tests_of_the_entry_exist(entry):
-    for name in entry.functions:
-        module, _, attribute = name.rpartition(".")
-        assert hasattr(import_module(module), attribute), name
-    for name in entry.tests:
-        path, _, test = name.partition("::")
-        if path.endswith(".ipynb"):
-            chapter = Path(path).name[:2]
-            assert (ROOT / path).exists()
-            (cell,) = (cell for cell in notebook(chapter).cells if cell.id == test)
-            assert re.search(r"\bassert\b|\bidentity\(", cell.source), name
-        else:
-            assert test in functions_in(path), name
-
-
-@every_entry
-def test_what_holds_in_the_book_is_computed_and_tested(entry):
-    if entry.kind != "claim" and entry.status != "not recoverable":
-        assert entry.functions
-        assert entry.tests
+def test_functions_and_tests_of_the_entries_exist():
+    """Whatever holds in the book is computed and tested."""
+    for entry in ENTRIES:
+        if entry.kind != "claim" and entry.status != "not recoverable":
+            assert entry.functions, f"{entry.paper} {entry.label}"
+            assert entry.tests, f"{entry.paper} {entry.label}"
+        for name in entry.functions:
+            module, _, attribute = name.rpartition(".")
+            assert hasattr(import_module(module), attribute), name
+        for name in entry.tests:
+            path, _, test = name.partition("::")
+            if path.endswith(".ipynb"):
+                chapter = Path(path).name[:2]
+                assert (ROOT / path).exists()
+                (cell,) = (cell for cell in notebook(chapter).cells if cell.id == test)
+                assert re.search(r"\bassert\b|\bidentity\(", cell.source), name
+            else:
+                assert test in functions_in(path), name
 
 
 def test_errata_file_is_what_the_ledger_says():
@@ -166,16 +162,11 @@ def test_table_is_markdown_with_as_many_cells_in_every_row():
     assert lines == ["| a | b |", "| --- | --- |", r"| $\vert x\vert  + 1$ | c |"]
 
 
-@pytest.mark.parametrize(
-    ("call", "sentence"),
-    [
-        (lambda: ledger.chapter_table("12"), r"^chapter: expected one of 01, .*, got '12'\.$"),
-        (lambda: ledger.paper_table("Wu"), r"^paper: expected one of larin, .*, got 'Wu'\.$"),
-    ],
-)
-def test_unknown_chapter_or_paper_is_refused(call, sentence):
-    with pytest.raises(ValueError, match=sentence):
-        call()
+def test_unknown_chapter_or_paper_is_refused():
+    with pytest.raises(ValueError, match=r"^chapter: expected one of 01, .*, got '12'\.$"):
+        ledger.chapter_table("12")
+    with pytest.raises(ValueError, match=r"^paper: expected one of larin, .*, got 'Wu'\.$"):
+        ledger.paper_table("Wu")
 
 
 def test_no_verdict_is_passed_on_a_print_that_nobody_has_seen():
