@@ -4,9 +4,10 @@ import json
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
-from itertools import chain, combinations, product
+from itertools import chain, combinations, permutations, product
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -29,9 +30,10 @@ from driftlab.book.exercises import (
     verdict,
 )
 from driftlab.book.machinery.exercise.answers import Choice, Value, computed
-from driftlab.book.machinery.exercise.exercise import NotRightError, in_order, key_of
+from driftlab.book.machinery.exercise.exercise import Exercise, NotRightError, in_order, key_of
 from driftlab.book.machinery.exercise.formulas import Formula
 from driftlab.book.machinery.exercise.hints import Help
+from driftlab.book.machinery.exercise.reading import numbers
 from wrong_answers import WRONG
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
@@ -125,6 +127,61 @@ def test_wrong_answer_is_refused_with_its_reason_and_not_told_the_right_one():
             assert not entries(number, 0.1) & numbers_in(reply.says for reply in replies), number
 
 
+def of_numbers(right: np.ndarray) -> Iterator[np.ndarray]:
+    """Wrong answers made of the right one without knowing what it means."""
+    yield from (-right, 2 * right, right / 2, 0 * right, 3.7 * right, 0.3 * right)
+    yield from (1e3 * right, 1e-6 * right, np.degrees(right), np.radians(right))
+    yield from (right + 1, right - 1, 90 - right, 180 - right, 360 - right, 1 - right)
+    with np.errstate(divide="ignore"):
+        yield 1 / right
+    if right.ndim == 0:
+        return
+    yield from (right[::-1], np.roll(right, 1), right.T)
+    for part in range(right.size):
+        for factor in (-1, 2, 1.3):
+            wrong = np.array(right)
+            wrong.flat[part] = factor * wrong.flat[part] + 0.3 * np.abs(right).max()
+            yield wrong
+
+
+def of_formula(right):
+    """The same for a formula; the functions take its arguments."""
+    yield from (lambda *a: -numbers(right(*a)), lambda *a: 2 * numbers(right(*a)))
+    yield from (lambda *a: numbers(right(*a)) ** 2, lambda *a: numbers(right(*a)) + 1)
+    yield lambda *a: right(*(np.asarray(x) * 2 for x in a))
+    yield lambda *a: right(*a[::-1])
+    yield lambda *a: np.sin(numbers(right(*a)))
+
+
+def replies_to_slips(exercise: Exercise) -> list[str]:
+    if isinstance(exercise, Choice):
+        letters = exercise.letters
+        answers = ["".join(each) for n in (1, 2) for each in permutations(letters, n)]
+    elif isinstance(exercise, Value):
+        answers = [a for a in of_numbers(computed(exercise)[0]) if np.isfinite(a).all()]
+    elif isinstance(exercise, Formula):
+        answers = list(of_formula(key_of(exercise).right))
+    else:
+        answers = ["", "+90X"]
+    found = [exercise.verdict(answer) for answer in answers]
+    return [each.says for each in found if each.right is False]
+
+
+def test_natural_slip_is_told_more_than_that_it_is_wrong():
+    """What anyone does wrong anywhere: whatever the exercise, none gets a bare "not yet"."""
+    for number, exercise in EXERCISES.items():
+        says = replies_to_slips(exercise)
+        assert says, number
+        for each in says:
+            kind, _, reason = each.partition(". ")
+            assert kind in ("not yet", "not readable"), (number, each)
+            assert len(reason) > 8, (number, each)
+        if isinstance(exercise, Value):
+            own = {f"not yet. {slip}" for slip in key_of(exercise).mistakes}
+            told = (each for each in says if each not in own)
+            assert not entries(number, 0.1) & numbers_in(told), number
+
+
 def test_no_hint_gives_the_answer():
     for number in VALUES:
         rungs = hints_of(number.split(".")[0].zfill(2))[number].rungs
@@ -155,15 +212,20 @@ def test_choice_tells_who_gives_no_reason_nothing_to_find_it_by():
         assert len({each.says for each in found if not each.right}) == 1, number
 
 
-JUDGED = "verdict('3.1', [1, 1, -1, 0, 0, 0]); verdict('3.3', 'ad'); verdict('3.5', len)"
+JUDGED = """
+import sys
+from driftlab.book.exercises import all_exercises, verdict
+verdict("3.1", [1, 1, -1, 0, 0, 0]), verdict("3.3", "ad"), verdict("3.5", len)
+print("sympy" in sys.modules)
+all_exercises()
+print("matplotlib" in sys.modules)
+"""
 
 
-@pytest.mark.parametrize(("then", "loaded"), [("all_exercises()", "matplotlib"), (JUDGED, "sympy")])
-def test_importing_the_exercises_loads_no_plotting_and_judging_no_sympy(then, loaded):
-    begin = "import sys; from driftlab.book.exercises import all_exercises, verdict"
-    command = [sys.executable, "-c", f"{begin}; {then}; print({loaded!r} in sys.modules)"]
+def test_importing_the_exercises_loads_no_plotting_and_judging_no_sympy():
+    command = [sys.executable, "-c", JUDGED]
     answer = subprocess.run(command, capture_output=True, text=True, check=True)
-    assert answer.stdout.strip() == "False"
+    assert answer.stdout.split() == ["False", "False"]
 
 
 def test_check_prints_what_it_says_and_refuses_an_unknown_number(capsys):
@@ -197,23 +259,25 @@ def test_no_public_attribute_leads_to_what_is_right():
 
 
 GIVING = [n for n, e in EXERCISES.items() if getattr(e, "given", None)]
-STUDENTS = [f"student {i}" for i in range(30)]
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("count", [8, pytest.param(30, marks=pytest.mark.long)])
 @pytest.mark.parametrize("number", GIVING)
-def test_students_have_numbers_of_their_own_and_mistakes_told_apart(number):
+def test_students_have_numbers_of_their_own_and_mistakes_told_apart(number, count):
     exercise, answers = EXERCISES[number], []
-    for student in STUDENTS:
+    for student in (f"student {i}" for i in range(count)):
         right, mistakes = computed(exercise, student)
         answers.append(right)
         assert verdict(number, right, student=f" {student.upper()}").right
         for says, value in mistakes:
             reply = verdict(number, value, student=student)
             assert reply[:2] == (False, f"not yet. {says}"), student
-    assert len({right.tobytes() for right in answers}) > len(STUDENTS) / 2
+    assert len({right.tobytes() for right in answers}) > count / 2
     others = sum(verdict(number, right).right for right in answers)
-    assert others <= 2, "the book's answer is right for nearly nobody else"
+    # Nearly nobody's else: of 30 it is two at most; at that chance more than two of 8 were one case
+    # in seventy (binomial).
+    assert others <= 2
 
 
 def test_given_numbers_are_shown_as_code_that_makes_them():
