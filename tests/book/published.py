@@ -10,7 +10,10 @@ from typing import Any
 import pytest
 
 from driftlab.book import figures
+from driftlab.book.machinery.figure.csv_table import read_table
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.machinery.figure.publish import PublishedFigure
+from support import ROOT
 
 NAMES = tuple(figures.figure_definitions())
 
@@ -26,6 +29,12 @@ SHARED = {
 def computed(name: str) -> PublishedFigure:
     """A published figure, as it is computed and drawn today."""
     return figures.figure(name)
+
+
+@cache
+def kept_table(name: str) -> DataTable:
+    """The table of a figure as its CSV has it, whether the recording is here or not."""
+    return DataTable.of_csv(*read_table(ROOT / "figures" / f"{name}.csv"))
 
 
 def of_figure(name: str) -> Any:

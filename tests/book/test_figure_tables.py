@@ -1,9 +1,9 @@
-"""Each figure can be drawn from its CSV alone, and the CSV says of what parameters it is."""
+"""Each figure can be drawn from its CSV alone, and with other parameters."""
 
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -12,13 +12,12 @@ from matplotlib.figure import Figure
 import driftlab
 from driftlab.book import figures
 from driftlab.book.machinery.figure.csv_table import numbers, read_table
-from driftlab.book.machinery.figure.data_table import KEPT, DataTable
+from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.machinery.figure.drawing import GUIDE, nature, panels
 from driftlab.book.machinery.figure.publish import PublishedFigure, call_of
-from driftlab.book.machinery.figure.sheet import COLUMN, Sheet
-from driftlab.book.machinery.figure.written import imports, written
+from driftlab.book.machinery.figure.written import imports
 from driftlab.checks import FloatArray
-from figure_variations import SHORT, VARIATIONS, plain
+from figure_variations import VARIATIONS
 from published import NAMES, of_figure, published
 
 PUBLISHED = Path(__file__).parents[2] / "figures"
@@ -85,6 +84,8 @@ def test_a_figure_can_be_drawn_from_its_csv_alone(figure: PublishedFigure) -> No
     """Every line that is drawn; other kinds in machinery/test_drawing.py."""
     if not isinstance(figure.on_screen, Figure):
         return  # a scene: it plays, and its readouts are the table
+    if isinstance(figure.data, DataTable):
+        assert not [line for line in figure.data.notes() if line.endswith(": ")]  # all say what
     read = read_curves(PUBLISHED / f"{figure.definition.name}.csv")
     for number, axes in enumerate(panels(figure.on_screen), 1):
         for line in axes.lines if not nature(axes) else []:
@@ -124,34 +125,6 @@ def largest_number(values: FloatArray) -> float:
     return float(np.max(np.abs(values[np.isfinite(values)]), initial=0.0))
 
 
-@published(*WITH_NUMBERS)
-def test_the_csv_names_its_parameters_its_call_and_the_version(figure: PublishedFigure) -> None:
-    comments, _ = read_table(PUBLISHED / f"{figure.definition.name}.csv")
-    if missing := figures.not_at_hand(figure.definition):
-        pytest.skip(missing)
-    computed = figure.comments()
-    version = r"driftlab \d+\.\d+\.\d+"
-    made = next(line for line in comments if line.startswith("made by: "))
-    assert re.search(version, made)
-    assert f"driftlab.figure('{figure.definition.name}')" in made
-    assert [*map(without_numbers, comments)] == [*map(without_numbers, computed)]
-
-
-@published(*WITH_NUMBERS)
-def test_every_column_says_what_it_is(figure: PublishedFigure) -> None:
-    if isinstance(figure.data, DataTable) and isinstance(figure.on_screen, Figure):
-        assert not [line for line in figure.data.notes() if line.endswith(": ")]
-
-
-def without_numbers(line: str) -> str:
-    """A line without the version, and without the digits of facts, which processors round."""
-    line = re.sub(r"driftlab \d+\.\d+\.\d+", "driftlab", line).rstrip()
-    if line.startswith(KEPT):
-        return KEPT
-    is_fact = re.search(r"^[^\s,=\"]+.*: -?[\d.]+(e[-+]\d+)?\S*( \S+)?$", line)
-    return line.rpartition(": ")[0] if is_fact else line
-
-
 def test_every_figure_takes_parameters_or_is_a_drawing() -> None:
     for name in NAMES:
         definition = figures.figure_definitions(name[:2])[name]
@@ -162,7 +135,7 @@ def test_every_figure_takes_parameters_or_is_a_drawing() -> None:
 
 @pytest.mark.parametrize("name", [of_figure(name) for name in VARIATIONS])
 def test_a_figure_is_drawn_with_other_parameters(name: str, tmp_path: Path) -> None:
-    """On a screen, in a column, and as numbers, and what is drawn is in them."""
+    """On a screen and as numbers, and what is drawn is in them."""
     if missing := figures.not_at_hand(figures.figure_definitions(name[:2])[name]):
         pytest.skip(missing)
     definition = figures.figure_definitions(name[:2])[name]
@@ -172,32 +145,8 @@ def test_a_figure_is_drawn_with_other_parameters(name: str, tmp_path: Path) -> N
     figure = eval(call, page)  # as a reader who has the line and the imports above it
     assert figure.call == call
     assert all(f"{parameter}=" in call for parameter in VARIATIONS[name])
-    for drawn in (figure.on_screen, figure.definition.draw(figure.data, Sheet(COLUMN))):
-        figure_drawn = getattr(drawn, "figure", drawn)
-        if isinstance(figure_drawn, Figure):
-            figure_drawn.draw_without_rendering()
+    if isinstance(figure.on_screen, Figure):
+        figure.on_screen.draw_without_rendering()
     if figure.definition.columns:
         path = figure.save(tmp_path / "numbers.csv")
         assert read_table(path)[1] != read_table(PUBLISHED / f"{name}.csv")[1]
-
-
-class Choice(NamedTuple):
-    kind: str
-    sizes: tuple[float, ...]
-
-
-def test_parameters_have_their_values_again() -> None:
-    values = {
-        "scheme": SHORT,
-        "kinds": [Choice("two  blanks", (1.0, float("inf"))), np.float64(2)],
-        "way": plain,
-        "sizes": {("a", 1): np.array([1.0, -np.inf])},
-    }
-    page: dict[str, Any] = {"Choice": Choice}
-    lines = imports(values)
-    assert "from driftlab.motion import Scheme" in lines
-    assert "from figure_variations import plain" in lines
-    exec("\n".join(line for line in lines if "Choice" not in line), page)
-    again = {name: eval(written(value), page) for name, value in values.items()}
-    assert again == values | {"sizes": {("a", 1): [1.0, -np.inf]}}
-    assert np.isnan(eval(written(np.nan)))

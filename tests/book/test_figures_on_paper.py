@@ -1,7 +1,7 @@
 """In a column and on a page no words of a figure collide, none are cut off or too small to read."""
 
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import combinations, islice
 from pathlib import Path
 
 import pytest
@@ -23,6 +23,10 @@ LEAST_PANEL = 0.5
 """Inches that a panel must have, both ways."""
 TOUCHING = 1.5
 """Dots of a hundredth of an inch by which boxes around words may overlap: they have room inside."""
+
+
+# A page is wider, so that what fits into a column has room there.
+widths = pytest.mark.parametrize("width", [COLUMN, pytest.param(PAGE, marks=pytest.mark.long)])
 
 
 def drawn_words(figure: Figure, monkeypatch: pytest.MonkeyPatch) -> list[tuple[Text, Bbox]]:
@@ -83,7 +87,7 @@ def overlap(a: Bbox, b: Bbox) -> bool:
 
 
 @published(*NAMES)
-@pytest.mark.parametrize("width", [COLUMN, PAGE])
+@widths
 def test_no_words_collide(
     figure: PublishedFigure, width: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -96,32 +100,21 @@ def test_no_words_collide(
 
 @pytest.mark.slow
 @every_panel
+@pytest.mark.parametrize(
+    ("width", "presets"),
+    [(COLUMN, 1), *(pytest.param(width, None, marks=pytest.mark.long) for width in (COLUMN, PAGE))],
+)
 def test_no_words_of_a_panels_picture_collide(
-    panel_class: type[Explorer], monkeypatch: pytest.MonkeyPatch
+    panel_class: type[Explorer], width: float, presets: int | None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What it shows with each preset, in a column, and what it opens with, on a page."""
+    """What it opens with, or shows with each preset."""
     panel = only_panel(panel_class)
     starts = {control.name: control.start for control in panel.controls}
-    data = {name: panel.compute({**starts, **preset}) for name, preset in panel.presets.items()}
-    for width, names in ((COLUMN, [*data]), (PAGE, [next(iter(data))])):
-        picture = panel.picture_class(Sheet(width))
-        for name in names:
-            picture.update(data[name])
-            found = flaws(picture.figure, width, monkeypatch)
-            assert not found, f"{width} inches, {name}: {'; '.join(found)}"
-
-
-def test_the_test_sees_words_that_collide(monkeypatch: pytest.MonkeyPatch) -> None:
-    figure = Figure(figsize=(3.5, 2))
-    for words in ("here", "there"):
-        figure.text(0.5, 0.5, words, fontsize=8)
-    figure.text(0.9, 0.2, "out of the figure", fontsize=5)
-    found = list(collisions(figure, drawn_words(figure, monkeypatch)))
-    assert found == [
-        "'out of the figure' leaves the figure",
-        "'out of the figure' is of 5.0 points",
-        "'here' and 'there' overlap",
-    ]
+    picture = panel.picture_class(Sheet(width))
+    for name, preset in islice(panel.presets.items(), presets):
+        picture.update(panel.compute({**starts, **preset}))
+        found = flaws(picture.figure, width, monkeypatch)
+        assert not found, f"{width} inches, {name}: {'; '.join(found)}"
 
 
 @pytest.mark.slow
@@ -130,16 +123,14 @@ def test_the_test_sees_words_that_collide(monkeypatch: pytest.MonkeyPatch) -> No
 )
 def test_a_figure_is_saved_for_a_column(tmp_path: Path, ending: str, begins: bytes) -> None:
     figure = figures.figure("05-cayley-map")
-    for name in ("one", "two"):
-        path = figure.save(tmp_path / f"{name}.{ending}", width=COLUMN)
-        assert path.read_bytes().startswith(begins)
-    assert (tmp_path / f"one.{ending}").read_bytes() == (tmp_path / f"two.{ending}").read_bytes()
-
-
-def test_fonts_are_embedded_as_journals_want_them(tmp_path: Path) -> None:
-    pdf = figures.figure("05-cayley-map").save(tmp_path / "map.pdf", width=PAGE).read_bytes()
-    assert b"/FontFile2" in pdf  # TrueType, embedded
-    assert b"/Type3" not in pdf
+    one, two = (
+        figure.save(tmp_path / f"{name}.{ending}", width=COLUMN).read_bytes() for name in "ab"
+    )
+    assert one.startswith(begins)
+    assert one == two
+    if ending == "pdf":
+        assert b"/FontFile2" in one  # TrueType, embedded, as journals want it
+        assert b"/Type3" not in one
 
 
 def test_the_numbers_are_saved_too(tmp_path: Path) -> None:

@@ -94,11 +94,3 @@ def test_what_is_only_a_picture_has_nothing_to_compare(drawn, tmp_path, capsys):
     drawn("--workers", "1", "--compare", "00")
     assert capsys.readouterr().out.endswith("there are no numbers to compare.\n")
     assert not (tmp_path / "figures").exists()
-
-
-def test_larins_numbers_are_a_table_of_chapter_04(drawn, tmp_path, monkeypatch):
-    drawn("--workers", "1", "00")
-    monkeypatch.setattr(sys, "argv", [*sys.argv[:-1], "04"])
-    command.main()
-    names = {path.name for path in (tmp_path / "figures").iterdir()}
-    assert names == {"00-study.svg", "04-larin-numbers.csv"}

@@ -98,17 +98,6 @@ def test_two_folders_are_told_apart_table_by_table(tmp_path: Path) -> None:
     ]
 
 
-def test_of_two_folders_some_tables_may_be_compared_alone(tmp_path: Path) -> None:
-    here, there = tmp_path / "here", tmp_path / "there"
-    for folder in (here, there):
-        folder.mkdir()
-        write_table(folder / "some.csv", TABLE, [])
-    write_table(here / "more.csv", TABLE, [])
-    assert folder_differences(here, there, {"some.csv"}) == {}
-    with pytest.raises(ValueError, match="got no table at all in one only"):
-        folder_differences(here, there, set())
-
-
 def test_facts_of_a_table_that_is_read_again_are_compared(tmp_path: Path) -> None:
     for folder, left in (("here", 1e-17), ("there", 2e-17), ("other", 0.1)):
         (tmp_path / folder).mkdir()
