@@ -1,7 +1,6 @@
 """The figures of chapter 02: roots of the characteristic equation, and their errors."""
 
 import numpy as np
-import pytest
 from hypothesis import given
 
 from driftlab.book.ch02_characteristic_equation.experiments import characteristic_roots
@@ -26,16 +25,3 @@ def test_roots_errors_have_the_slopes_of_the_text() -> None:
     ]
     # first order: fast, slow; with the next term: fast, slow; in the copy: fast, slow
     np.testing.assert_allclose(slopes, [2, 2, 3, 3, 2, 3], atol=0.05)
-
-
-@pytest.mark.parametrize(
-    ("call", "sentence"),
-    [
-        (lambda: characteristic_roots(-0.1, np.eye(3), [1, 0, 0]), "size: expected a number of at"),
-        (lambda: characteristic_roots(0.1, np.eye(2), [1, 0, 0]), r"shape: expected shape"),
-        (lambda: characteristic_roots(0.1, np.eye(3), [0, 0, 0]), "direction: expected nonzero"),
-    ],
-)
-def test_refusals(call, sentence: str) -> None:
-    with pytest.raises(ValueError, match=sentence):
-        call()

@@ -25,8 +25,7 @@ from driftlab.book.ch04_calibration_by_turns.experiment_numbers import (
 )
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.step_formulas import STEP_FORMULAS
-from driftlab.drift.turn_calibration import TurnExperiment
-from driftlab.drift.weighing_designs import YATES_AXES, weighing_estimate
+from driftlab.drift.weighing_designs import weighing_estimate
 from support import EPS, written
 
 
@@ -172,21 +171,6 @@ def test_values_of_rejected_candidates(assumptions, index, value, tolerance):
     loser = reconstruct(**assumptions)
     assert loser.values[index] == pytest.approx(value, abs=tolerance)
     assert not loser.agrees[index]
-
-
-@pytest.mark.parametrize("sum_factor", SUM_FACTORS)
-def test_fourth_number_scales_with_its_factor(sum_factor):
-    """Small enough for the tangent to be its argument; the factor is the one its name begins with.
-
-    About (1, 1, 1) the estimate is 1e-6, so that the cube that the tangent adds is below 1e-16.
-    """
-    factor = {"1": 1, "3/2": 3 / 2, "sqrt(3/2)": np.sqrt(3 / 2)}[sum_factor.split(",")[0]]
-    plain = TurnExperiment(step_formula="pade").estimate(
-        YATES_AXES[3], triad_reading("unit third axis")
-    )
-    assert abs(plain) < 2e-6
-    starred = reconstruct(sum_factor=sum_factor).values[3]
-    np.testing.assert_allclose(starred, factor * plain, rtol=0, atol=4 * EPS)
 
 
 def test_first_number_is_the_integration_error_alone():

@@ -7,12 +7,8 @@ from driftlab.book.ch04_calibration_by_turns.experiments import (
     FORMULAS as FORMULAS_04,
     PLANS,
     expected_noise,
-    free_numbers,
-    larin_digits,
-    real_table,
     turn_bias,
     turn_estimates,
-    weighing_designs,
 )
 from driftlab.book.machinery.figure.drawing import nature, panels
 from driftlab.book.machinery.figure.publish import PublishedFigure
@@ -92,22 +88,3 @@ def test_weighing_monte_carlo_agrees_with_the_closed_forms(figure: PublishedFigu
     # Variances by hand: 1; (1 + 1 + 1 + 9/4)/4; ...; 17/21; 2.
     by_hand = np.sqrt([1, 21 / 16, 17 / 21, 2])
     np.testing.assert_allclose(data.expected_without_offset[[0, 1, 3, 4]], by_hand, rtol=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("call", "sentence"),
-    [
-        (lambda: turn_estimates(np.eye(3), "guess"), "plan: expected one of three pair"),
-        (lambda: turn_estimates(repeats=0), "repeats: expected"),
-        (lambda: turn_bias(angle_noise=0), "angle_noise: expected"),
-        (lambda: larin_digits(("1e-3",)), "texts: expected 7 numbers such as '-0.216e-7', got"),
-        (lambda: larin_digits(steps=()), "steps: expected at least one number of steps, got none"),
-        (lambda: free_numbers(factors=(-1, 1)), "factors: expected"),
-        (lambda: free_numbers(factors=(2, 1)), "factors: expected the lowest before the highest"),
-        (lambda: weighing_designs(noise=0), "noise: expected"),
-        (lambda: real_table(runs=1), "runs: expected"),
-    ],
-)
-def test_refusals(call, sentence: str) -> None:
-    with pytest.raises(ValueError, match=sentence):
-        call()

@@ -7,9 +7,7 @@ from driftlab.book.ch04_calibration_by_turns.copied_digits import digit_interval
 from driftlab.book.ch04_calibration_by_turns.experiment_numbers import (
     NAMES,
     SIGN_RESTORED,
-    SUM_FACTORS,
     TRIADS,
-    reconstruct,
     seven_numbers,
     triad_reading,
 )
@@ -18,7 +16,6 @@ from driftlab.book.ch04_calibration_by_turns.experiments import (
     OF_SIGMA1,
     factor_bounds,
     free_numbers,
-    step_error,
 )
 from driftlab.drift.turn_calibration import exact_turn_estimate
 from driftlab.drift.weighing_designs import YATES_AXES
@@ -44,14 +41,6 @@ def test_bounds_are_those_of_a_grid_of_factors(triad):
     assert expected.any()
     # The ends of the bounds may fall on the other side of a factor by rounding.
     assert (grid != expected).sum() <= 2
-
-
-def test_reconstruction_lies_where_all_seven_come_out():
-    error, factor = step_error("pade"), SUM_FACTORS["sqrt(3/2), n4 over sqrt(2)"]
-    low, high = factor_bounds("unit third axis", [error])[..., 0]
-    assert (low <= factor).all()
-    assert (factor <= high).all()
-    assert inside(reconstruct().values).all()
 
 
 def test_two_numbers_tell_the_factor_and_agree():

@@ -8,20 +8,14 @@ from scipy.constants import arcsecond, degree, hour
 
 from driftlab.book import TurnCalibrationExplorer
 from driftlab.book.ch04_calibration_by_turns.experiments import (
-    PLANS,
-    SIGMA_ON_TABLE,
     WAYS,
     RealTable,
     budget,
     sigmas_by_way,
     simulated_turns,
-    turn_estimates,
 )
 from driftlab.book.ch04_calibration_by_turns.figures.real_table import LOWEST
 from driftlab.book.machinery.figure.publish import PublishedFigure
-from driftlab.book.scenarios import LARIN_TRIAD
-from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import earth_rate_offset
 from driftlab.drift.weighing_designs import YATES_AXES
 from driftlab.earth import EARTH_RATE
 from driftlab.motion.turntable_rotation import TurntableRotation
@@ -128,17 +122,6 @@ def test_second_order_of_the_estimate_on_a_table(rate: float) -> None:
                 assert abs(second) > 50 * (4 * size**3)
 
 
-def test_simulated_turns_without_errors_show_sigma_and_earth() -> None:
-    table = RealTable(**QUIET)
-    (found,) = simulated_turns(table, 1, np.random.default_rng(0))
-    offsets = earth_rate_offset(table.latitude, table.rate * np.array([[1], [-1]]))
-    expected = drift_coefficient(YATES_AXES, table.triad) + offsets
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-7)
-    ways = sigmas_by_way(found)
-    np.testing.assert_allclose(ways[1:], [SIGMA_ON_TABLE] * 3, rtol=0, atol=1e-7)
-    np.testing.assert_allclose(ways[0] - SIGMA_ON_TABLE, 52.46 * arcsecond, rtol=1e-3)
-
-
 @published("04-real-table")
 def test_simulation_agrees_with_the_budget(figure: PublishedFigure) -> None:
     data = figure.data
@@ -178,27 +161,3 @@ def test_presets_show_the_trap_and_its_cures() -> None:
     assert errors["On the Earth, Larin's triad"] > 50
     assert errors["On the Earth, both senses"] < 0.2
     assert errors["On the Earth, common offset"] < 0.2
-
-
-def test_a_bias_survives_the_common_offset_and_not_both_senses() -> None:
-    table = TurntableRotation(10 * degree, latitude=37.5 * degree)
-    common = "four axes, least squares and common scale"
-    for plan, senses, harmed in ((common, "one", True), (next(iter(PLANS)), "both", False)):
-        data = turn_estimates(
-            LARIN_TRIAD, plan, table=table, senses=senses, gyro_bias=degree / hour
-        )
-        # A degree an hour is 5.7 arc seconds at this rate. About a pair axis its root of two
-        # counts, about the diagonal its root of three: the offset takes the one, not the other.
-        assert (np.abs(data.runs - data.true).max() > 1.5 * arcsecond) == harmed
-
-
-@pytest.mark.parametrize(
-    ("settings", "sentence"),
-    [
-        ({"senses": "left"}, "^senses: expected one of one, both, got 'left'"),
-        ({"gyro_bias": 1e-6}, "^table: expected a TurntableRotation, .* got None"),
-    ],
-)
-def test_refusals(settings, sentence: str) -> None:
-    with pytest.raises(ValueError, match=sentence):
-        turn_estimates(LARIN_TRIAD, **settings)

@@ -49,18 +49,6 @@ from driftlab.motion.scheme import SCHEMES, Scheme
 from published import percent, published
 
 
-@published("08-scheme-directions")
-def test_scheme_directions_end_pauses_along_an_axis(figure: PublishedFigure) -> None:
-    data = figure.data
-    for name in data.names:
-        times, up = (data.entry(f"{what}, {name}").values.T for what in ("time", "up"))
-        assert len(times) == len(up)
-        np.testing.assert_allclose(np.linalg.norm(up, axis=-1), 1, rtol=0, atol=1e-12)
-        resting = np.linalg.norm(np.diff(up, axis=0), axis=-1) < 1e-12
-        largest = np.abs(up[:-1][resting]).max(axis=-1)
-        np.testing.assert_allclose(largest, 1, rtol=0, atol=1e-9)
-
-
 @pytest.mark.xdist_group("CalibrationRunExplorer")
 def test_calibration_run_is_what_the_trial_found() -> None:
     found = typical_trial("averaged")

@@ -132,22 +132,6 @@ def test_a_coning_mount_adds_one_drift_at_all_stages() -> None:
     assert largest(worse.aligned_error[2] - still.aligned_error[2]) > 10 * largest(expected)
 
 
-def test_errors_under_way_of_bend_and_turn_add_up() -> None:
-    nothing = np.zeros(3)
-    whole, bend, turn, none = (
-        capstone.calibration_stages(*parts).heading_error[0]
-        for parts in (
-            (capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT),
-            (capstone.NON_ORTHOGONALITY, nothing),
-            (nothing, capstone.MISALIGNMENT),
-            (nothing, nothing),
-        )
-    )
-    # Without errors there is the error of the step, which is in all of them.
-    np.testing.assert_allclose(whole + none, bend + turn, rtol=0, atol=1e-3 * largest(whole))
-    assert min(largest(bend), largest(turn)) > 50 * largest(none)
-
-
 @published("11-capstone")
 def test_each_calibration_makes_the_heading_under_way_better(figure: PublishedFigure) -> None:
     data = figure.data

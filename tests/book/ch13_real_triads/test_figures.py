@@ -7,7 +7,6 @@ The numbers are those of the published tables of the figures; where the recordin
 import numpy as np
 import pytest
 
-from driftlab.book import figures
 from driftlab.book.ch13_real_triads import experiments
 from driftlab.book.ch13_real_triads.experiments import (
     BIAS_STEP,
@@ -21,10 +20,9 @@ from driftlab.book.ch13_real_triads.experiments import (
 )
 from driftlab.book.ch13_real_triads.experiments.five_units import authors_rests
 from driftlab.book.ch13_real_triads.experiments.publishers_numbers import _FIVE_GYROS
-from driftlab.book.machinery.figure.csv_table import read_table
-from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.earth import EARTH_RATE
-from support import ROOT, recording_or_skip
+from published import kept_table
+from support import recording_or_skip
 
 TURN = 2 * np.pi
 IMUCAL = np.diag([1.0279243264288036, 0.9824277738468916, 0.9983104874451514]) @ [
@@ -35,24 +33,19 @@ IMUCAL = np.diag([1.0279243264288036, 0.9824277738468916, 0.9983104874451514]) @
 """K times R of imucal 2.6.0 on its own session, gravity 9.81 m/s^2."""
 
 
-def of(name):
-    """The table of a figure as it is published, whether the recording is here or not."""
-    return DataTable.of_csv(*read_table(ROOT / "figures" / f"{name}.csv"))
-
-
 @pytest.fixture(scope="module")
 def turns():
-    return of("13-hand-turns")
+    return kept_table("13-hand-turns")
 
 
 @pytest.fixture(scope="module")
 def two():
-    return of("13-two-calibrations")
+    return kept_table("13-two-calibrations")
 
 
 @pytest.fixture(scope="module")
 def five():
-    return of("13-five-units")
+    return kept_table("13-five-units")
 
 
 def largest(matrices):
@@ -197,29 +190,3 @@ def test_the_rule_finds_that_rest_in_the_record(five):
     cuts = authors_rests(log, WAYS[0])
     assert tuple(five.pause) in cuts
     assert len(cuts) == five.moves[0, ODD] + 1 == 24
-
-
-def test_a_turn_of_the_record_is_the_one_in_the_table(turns):
-    recording_or_skip("ferraris-session")
-    np.testing.assert_allclose(experiments.hand_turns().estimate, turns.estimate, rtol=1e-8)
-
-
-@pytest.mark.parametrize(
-    ("name", "parameters", "sentence"),
-    [
-        (
-            "13-hand-turns",
-            {"stop_standard_deviation": 0},
-            "stop_standard_deviation: expected a positive number",
-        ),
-        ("13-parked-car", {"lengths": (70, 60, 300)}, r"lengths: expected three that grow, from"),
-        ("13-parked-car", {"lengths": (70, 180, 900)}, r"lengths: .* at least 3, got .*900"),
-        ("13-allan-plots", {"cheap_from": 5}, r"cheap_from: .* a tenth of the rest, .* got 5"),
-        ("13-allan-plots", {"dear_rest": (1e4, 2e4)}, "begin, end: expected times of the record"),
-    ],
-)
-def test_refusals_of_parameters(name, parameters, sentence):
-    for recording in figures.figure_definitions("13")[name].recordings:
-        recording_or_skip(recording)
-    with pytest.raises(ValueError, match=sentence):
-        figures.figure(name, **parameters)

@@ -179,9 +179,3 @@ def test_a_made_up_phone_passes_and_its_rests_tell_a_jump():
                 assert "rests of the same axis do not agree" in verdicts(
                     fit_hand_turns(turns), at_rest
                 )
-
-
-def test_a_log_without_turns_has_a_picture_too():
-    rng = np.random.default_rng(1)
-    increments = 1e-4 * rng.standard_normal((500, 3))
-    assert "0 whole turns: none." in turns_picture(increments, 0.01, [[0, 500]], []).caption

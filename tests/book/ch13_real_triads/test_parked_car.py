@@ -1,27 +1,18 @@
 """A compass on a parked car: the published numbers against their claims, and the recording."""
 
-from functools import cache
-from pathlib import Path
-
 import numpy as np
 import pytest
 from scipy.constants import degree, hour
 from scipy.stats import chi2, f, pearsonr
 
 from driftlab.book.ch10_gyrocompass_at_work.experiments import PAPER_DEVIATION, PAPER_SPREAD
-from driftlab.book.ch13_real_triads.experiments.parked_car import (
-    HEADER,
-    parked_car,
-    spread,
-)
-from driftlab.book.machinery.figure.csv_table import read_table
+from driftlab.book.ch13_real_triads.experiments.parked_car import HEADER, spread
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.trials import range_over_standard_deviation
 from driftlab.vectors import wrap_angle
+from published import kept_table, published
 from support import recording_or_skip
-
-TABLE = Path(__file__).parents[3] / "figures" / "13-parked-car.csv"
 
 
 def chance_of_ratio(first: float, second: float, freedom: int) -> float:
@@ -40,10 +31,9 @@ def chance_of_paired_ratio(first: np.ndarray, second: np.ndarray) -> float:
     return float(pearsonr(one + two, one - two).pvalue)
 
 
-@cache
 def car() -> DataTable:
     """The study as it is published, which needs no recording."""
-    return DataTable.of_csv(*read_table(TABLE))
+    return kept_table("13-parked-car")
 
 
 def test_every_stretch_of_five_minutes_gives_the_heading_of_the_header():
@@ -114,21 +104,12 @@ def test_the_headings_sign_is_that_of_the_gyros():
     assert np.isclose(up, np.sin(latitude), atol=0.02)
 
 
-def test_the_whole_study_is_the_published_one():
+@published("13-parked-car")
+def test_the_whole_study_is_the_published_one(figure):
     recording_or_skip("laser-gyro")
-    found, kept = parked_car(), car()
     for name in ("restarts", "longer", "stretches", "found_latitude", "level_rate"):
-        np.testing.assert_allclose(getattr(found, name), getattr(kept, name), 1e-8, 1e-10)
-    for title, values in kept.columns().items():
-        np.testing.assert_allclose(found.columns()[title], values, 1e-8, 1e-8)
-
-
-def test_what_pairs_have_in_common_does_not_count_in_their_ratio():
-    """With one deviation the chance is even between 0 and 1, however much the pairs share."""
-    count, rng = 500, np.random.default_rng(1)
-    pairs = 3 * rng.standard_normal((count, 1, 26)) + rng.standard_normal((count, 2, 26))
-    chances = np.array([chance_of_paired_ratio(*np.radians(pair)) for pair in pairs])
-    assert abs(np.mean(chances < 0.05) - 0.05) < 4 * np.sqrt(0.05 * 0.95 / count)
+        found, kept = (getattr(data, name) for data in (figure.data, car()))
+        np.testing.assert_allclose(found, kept, 1e-8, 1e-10)
 
 
 def test_a_spread_across_half_a_turn_is_not_torn():

@@ -1,0 +1,76 @@
+"""What a figure cannot be drawn with is refused in a sentence that names the parameter."""
+
+import numpy as np
+import pytest
+
+from driftlab.book import figures
+from driftlab.motion import Sway
+from support import recording_or_skip
+
+ZERO, ONE, NAN = np.zeros(3), np.eye(3), np.full((3, 3), np.nan)
+LEANS = [[0, 1, 0], [0, 0, 0], [0, 0, 0]]
+STRANGE = {"mine": lambda g: None}
+REFUSED = [
+    ("01-error-motion", {"duration": 0.0}, "^duration: expected a number"),
+    ("01-error-motion", {"tolerance": -1}, "^tolerance: expected a number above 0"),
+    ("02-roots", {"size": -0.1}, "^size: expected a number of at"),
+    ("02-roots", {"shape": np.eye(2)}, "^shape: expected shape"),
+    ("02-roots", {"direction": ZERO}, "^direction: expected nonzero"),
+    ("03-drift-history", {"direction": ZERO}, "^direction: expected nonzero"),
+    ("03-drift-history", {"samples_per_turn": 0}, "^samples_per_turn: expected a"),
+    ("03-drift-history", {"turns": 0}, "^turns: expected"),
+    ("03-drift-by-symmetry", {"skew": ONE}, "^skew: expected a skew matrix, got"),
+    ("03-drift-by-symmetry", {"symmetric": LEANS}, "^symmetric: expected a"),
+    ("03-drift-map", {"error_matrix": NAN}, "^error_matrix: expected finite"),
+    ("04-turn-estimates", {"plan": "guess"}, "^plan: expected one of three pair"),
+    ("04-turn-estimates", {"repeats": 0}, "^repeats: expected"),
+    ("04-turn-estimates", {"senses": "left"}, "^senses: expected one of one, both, got 'left'"),
+    ("04-turn-estimates", {"gyro_bias": 1e-6}, "^table: expected a TurntableRotation, .* got None"),
+    ("04-turn-bias", {"angle_noise": 0}, "^angle_noise: expected"),
+    (
+        "04-larin-digits",
+        {"texts": ("1e-3",)},
+        "^texts: expected 7 numbers such as '-0.216e-7'",
+    ),
+    ("04-larin-digits", {"steps": ()}, "^steps: expected at least one number of steps, got none"),
+    ("04-larin-free-numbers", {"factors": (-1, 1)}, "^factors: expected"),
+    ("04-larin-free-numbers", {"factors": (2, 1)}, "^factors: expected the lowest before the high"),
+    ("04-weighing-designs", {"noise": 0}, "^noise: expected"),
+    ("04-real-table", {"runs": 1}, "^runs: expected"),
+    ("05-cayley-map", {"angle": 7.0}, "^angle: expected at most a whole turn either way"),
+    ("05-riccati-turns", {"misses": ()}, "^misses: expected one or two distances, got 0"),
+    ("05-riccati-turns", {"misses": [-1.0]}, "^misses: expected"),
+    ("05-riccati-turns", {"turns": 0}, "^turns: expected"),
+    ("05-riccati-turns", {"tolerances": [0.0]}, "^tolerances: expected"),
+    ("05-riccati-turns", {"tolerances": ()}, "^tolerances: expected one at least, got none"),
+    ("06-coning-drift", {"algorithms": ["euler"]}, "^algorithms: expected one of picard-1"),
+    ("06-coning-drift", {"half_angle": -1.0}, "^half_angle: "),
+    ("06-coning-drift", {"algorithms": STRANGE}, "what <lambda> returned"),
+    ("06-algorithm-orders", {"motions": {"walk": 3}}, "^motions: expected a Motion, .* got 3"),
+    ("06-algorithm-orders", {"motions": Sway(0.1, 0.5)}, "^motions: expected a mapping from names"),
+    ("06-short-word", {"motions": ["walk"]}, "^motions: expected some of cone of 1°.* got 'walk'"),
+    ("06-coning-area", {"half_angle": 2}, "^half_angle: expected an angle from 0 to pi/2, got 2"),
+    ("06-coning-area", {"samples": 5}, "^samples: expected an even number, got 5"),
+    ("07-split-triad", {"gyro_error_matrix": np.eye(2)}, "^gyro_error_matrix: "),
+    ("07-plane-split", {"gyros": 0.1}, "^gyros: "),
+    ("07-plane-axes", {"accelerometers": [0.1, np.nan]}, "^accelerometers: "),
+    ("07-equivalent-start", {"scheme": "+90X"}, "^scheme: "),
+    ("07-equivalent-start", {"direction": (0, 0, 0)}, "^direction: "),
+    ("09-alignment-terms", {"pitch": 2.0}, "^pitch: expected an angle within pi/2, got 2"),
+    ("09-averaging-window", {"white": (2e-6, 1e-6)}, "^white: expected a quiet gyro and a noi"),
+    ("09-over-the-vertical", {"step": 0.0}, "^step: "),
+    ("09-two-positions", {"units": 1}, "^units: "),
+    ("13-hand-turns", {"stop_standard_deviation": 0}, "^stop_standard_deviation: expected a posit"),
+    ("13-parked-car", {"lengths": (70, 60, 300)}, "^lengths: expected three that grow, from"),
+    ("13-parked-car", {"lengths": (70, 180, 900)}, "^lengths: .* at least 3, got .*900"),
+    ("13-allan-plots", {"cheap_from": 5}, "^cheap_from: .* a tenth of the rest, .* got 5"),
+    ("13-allan-plots", {"dear_rest": (1e4, 2e4)}, "begin, end: expected times of the record"),
+]
+
+
+@pytest.mark.parametrize(("name", "parameters", "sentence"), REFUSED)
+def test_a_figure_refuses_what_it_cannot_be_drawn_with(name, parameters, sentence):
+    for recording in figures.figure_definitions(name[:2])[name].recordings:
+        recording_or_skip(recording)
+    with pytest.raises((ValueError, TypeError), match=sentence):
+        figures.figure(name, **parameters)
