@@ -35,9 +35,10 @@ if folder := os.environ.get("DRIFTLAB_RECORDINGS"):
 # in each process, if it is there; nothing of a notebook is checked with it.
 sys.modules.setdefault("rfc3987_syntax", None)
 
-# The groups that take longest, the longest first: begun last, one of them would run alone. A page
-# leaves the processor alone half of the time, so what only computes stands between the pages.
+# The groups that take longest, the longest first: begun last, one of them would run alone. One
+# process drives the browser for all panels while the others compute.
 HEAVY = (
+    "browser",
     "CapstoneExplorer",
     "notebook-08_system_calibration.ipynb",
     "book",
@@ -117,9 +118,7 @@ def started_browser() -> Iterator:
 @pytest.fixture(scope="session")
 def browser(started_browser):
     """A window of the browser; its pages share what they have loaded already."""
-    from notebook_page import SCREENS
-
-    return started_browser.new_context(viewport=SCREENS["1280x800"])
+    return started_browser.new_context(viewport={"width": 1366, "height": 768})
 
 
 @pytest.fixture(scope="session")

@@ -29,10 +29,8 @@ FRAME = """new Promise(painted => {
 PATIENCE_WITH_A_CELL = 600
 """The same for one cell; as long as one after the other finishes, a notebook may take any time."""
 
-SCREENS = {
-    "1280x800": {"width": 1280, "height": 800},
-    "1024x768": {"width": 1024, "height": 768},
-}
+SCREENS = ("1366x768", "683x384")
+"""A common laptop, and the same with everything twice as large."""
 
 FOREIGN = r"^.*No such comm( target registered)?: .*$"
 """What the kernel says when a page asks for widgets before the first cell has imported them."""
@@ -229,14 +227,14 @@ class NotebookPage:
         )
 
     def show_on(self, screen: str) -> None:
-        """Take the size of a screen; on the narrow one the list of files is hidden."""
+        """Take the size of a screen; on a narrow one the list of files is hidden."""
         self.page.bring_to_front()  # a page behind another is painted once a second
-        size = SCREENS[screen]
+        width, height = map(int, screen.split("x"))
         # Pages share a window, and a page that was opened meanwhile may have changed its size,
         # of which this one knows nothing: it would not ask for the size that it seems to have.
-        self.page.set_viewport_size({**size, "height": size["height"] - 1})
-        self.page.set_viewport_size(size)
-        self.show_files(screen == "1280x800")
+        self.page.set_viewport_size({"width": width, "height": height - 1})
+        self.page.set_viewport_size({"width": width, "height": height})
+        self.show_files(width > 1000)
 
     def files_are_shown(self) -> bool:
         """Tell whether the list of files is there."""

@@ -1,15 +1,15 @@
-"""One slider panel in a page: what a reader sees of it and does to it."""
+"""One panel in a page, a slider panel or a scene: what a reader sees of it and does to it."""
 
 from __future__ import annotations
 
 import base64
 import io
-from collections.abc import Callable
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from notebook_page import FRAME, PATIENCE, wait_until
+from notebook_page import FRAME, PATIENCE
 from PIL import Image
 
 from driftlab.book.machinery.panel.control import Control
@@ -24,14 +24,15 @@ if TYPE_CHECKING:
 SETTLE = f"""async (panel, [frames, patience]) => {{
   const image = panel.querySelector("img");
   const place = () => Object.values(panel.getBoundingClientRect().toJSON());
-  const state = () => [image.src, panel.textContent, ...place()].join();
+  const state = () => [image?.src, panel.textContent, ...place()].join();
   const end = performance.now() + 1000 * patience;
   let before, same = 0;
   while (same < frames) {{
     if (performance.now() > end) throw new Error("the panel does not come to rest");
     if (window.unanswered.size) await new Promise(resolve => setTimeout(resolve, 10));
     await {FRAME};
-    same = !window.unanswered.size && image.complete && state() === before ? same + 1 : 0;
+    const loaded = !image || image.complete;
+    same = !window.unanswered.size && loaded && state() === before ? same + 1 : 0;
     before = state();
   }}
 }}"""
@@ -49,10 +50,10 @@ RESULTS = "panel => panel.querySelector('.driftlab-results').innerHTML"
 
 # By the name of each control: what its readout, menu, line or box says.
 SHOWN = """panel => [
-  ...[...panel.querySelectorAll("[role=slider]")].map(handle => [
+  ...[...panel.querySelectorAll(".driftlab-controls [role=slider]")].map(handle => [
     handle.ariaLabel, handle.closest(".widget-slider").querySelector(".widget-readout").textContent,
   ]),
-  ...[...panel.querySelectorAll("select, input")].map(input => [
+  ...[...panel.querySelectorAll(".driftlab-controls :is(select, input)")].map(input => [
     input.labels[0].innerText,
     input.type === "checkbox" ? input.checked : input.value.replaceAll("\u00a0", " "),
   ]),
@@ -70,6 +71,13 @@ FOCUSED_NAME = """() => {
   return element.ariaLabel ?? element.labels?.[0]?.innerText ?? "";
 }"""
 
+# Size of the picture and its place in the panel.
+PLACE = """panel => {
+  const picture = panel.querySelector(".driftlab-picture");
+  const [box, around] = [picture, picture.parentElement].map(e => e.getBoundingClientRect());
+  return [box.width, box.height, box.x - around.x];
+}"""
+
 # Text wider than its box, and boxes that stick out of the panel or the panel out of the cell.
 CUT_OFF = """panel => {
   const found = [];
@@ -80,7 +88,7 @@ CUT_OFF = """panel => {
     }
   }
   const room = panel.closest(".jp-OutputArea-output").getBoundingClientRect();
-  const boxes = "img, label, input, select, button, span, .slider";
+  const boxes = ".driftlab-picture, label, input, select, button, span, .slider";
   for (const element of panel.querySelectorAll(boxes)) {
     const box = element.getBoundingClientRect();
     if (!box.width) continue;  // not shown
@@ -106,14 +114,15 @@ class PanelPage:
         heading = page.get_by_text(explorer_class.title, exact=True)
         # An exercise may repeat the panel of its chapter, below it.
         self.panel = page.locator(f".{PANEL_CLASS}").filter(has=heading).first
-        self.image = self.panel.locator("img")
+        self.image = self.panel.locator(".driftlab-picture")
         self.image.wait_for()
         page.bring_to_front()
-        # The element itself: to find it again by its title takes longer than most questions to it.
+        # The elements themselves: to find them again takes longer than most questions to them.
         self._element = self.panel.element_handle()
+        self._preset = self.panel.get_by_role("combobox", name="preset").element_handle()
         self.settle()
 
-    def settle(self, frames: int = 4) -> None:
+    def settle(self, frames: int = 3) -> None:
         """Wait until nothing has changed for some frames."""
         self._element.evaluate(SETTLE, [frames, PATIENCE])
 
@@ -121,13 +130,17 @@ class PanelPage:
         """The file of the picture on display."""
         return base64.b64decode(self._element.evaluate(PICTURE))
 
+    def place(self) -> list[float]:
+        """Size and place of the picture in the panel."""
+        return list(self._element.evaluate(PLACE))
+
     def numbers(self) -> list[tuple[str, str]]:
         """Names and values beside the picture."""
         return shown_numbers(self._element.evaluate(RESULTS))
 
     def code(self) -> str:
         """The Python lines below the sliders."""
-        return self.panel.locator("pre").inner_text()
+        return str(self._element.evaluate("panel => panel.querySelector('pre').textContent"))
 
     @staticmethod
     def name(control: Control) -> str:
@@ -173,13 +186,8 @@ class PanelPage:
             self.page.keyboard.press(key)
 
     def choose_preset(self, name: str) -> None:
-        self.panel.get_by_role("combobox", name="preset").select_option(label=name)
+        self._preset.select_option(label=name)
         self.settle()
-
-    def begin_with(self, name: str, values: dict[str, Any]) -> None:
-        """Choose a preset, and wait for its values only: its picture may come later."""
-        self.panel.get_by_role("combobox", name="preset").select_option(label=name)
-        wait_until(self.page, lambda: self.values() == values, f"the values of {name}")
 
     def reset(self) -> None:
         self.panel.get_by_role("button", name="Reset").click()
@@ -187,19 +195,13 @@ class PanelPage:
 
     def preset(self) -> str:
         """What the preset menu says."""
-        menu = self.panel.get_by_role("combobox", name="preset")
-        return str(menu.evaluate("menu => menu.value.replaceAll('\u00a0', ' ')"))
-
-    def _grip(self, control: Control) -> tuple[float, float, float, float]:
-        """Middle of a slider's handle and both ends of its track, in the page."""
-        handle = self.element(control)
-        handle.scroll_into_view_if_needed()
-        x, y, left, right = handle.evaluate(GRIP)
-        return x, y, left, right
+        return str(self._preset.evaluate("menu => menu.value.replaceAll('\u00a0', ' ')"))
 
     def drag(self, control: Control) -> None:
         """Drag a slider to the farther end of its track and a quarter back."""
-        x, y, left, right = self._grip(control)
+        handle = self.element(control)
+        handle.scroll_into_view_if_needed()
+        x, y, left, right = handle.evaluate(GRIP)
         far, near = (left, right) if x > (left + right) / 2 else (right, left)
         mouse = self.page.mouse
         mouse.move(x, y)
@@ -209,25 +211,15 @@ class PanelPage:
         mouse.up()
         self.settle()
 
-    def bring_into_sight(self, control: Control) -> None:
-        """Scroll until a slider is at the lower edge, so that the picture is in sight as well."""
-        self.element(control).evaluate("handle => handle.scrollIntoView({ block: 'end' })")
-        self.settle(frames=20)
-
-    def sweep(self, control: Control) -> list[Callable[[], None]]:
-        """The parts of a drag to both ends and back, on the way without waiting for pictures."""
-        x, y, left, right = self._grip(control)
-        mouse = self.page.mouse
-
-        def to(place: float) -> None:
-            mouse.move(place, y, steps=4)
-            self.settle()
-
-        def take() -> None:
-            mouse.move(x, y)
-            mouse.down()
-
-        return [take, lambda: to(right), lambda: to(left), lambda: to(x), mouse.up]
+    def tab_through(self) -> Iterator[Control]:
+        """Go from control to control with the Tab key, until none is left."""
+        waiting = {self.name(control): control for control in self.explorer_class.controls}
+        self._preset.focus()
+        for _ in range(3 * len(waiting) + 3):
+            self.page.keyboard.press("Tab")
+            if control := waiting.pop(self.focused_name(), None):
+                yield control
+        assert not waiting, "Tab does not come here"
 
     def focused_name(self) -> str:
         """Accessible name of the element with the focus."""

@@ -28,7 +28,7 @@ ANSWERED = """async () => {
 WIDTHS = """() => [...document.querySelectorAll(".jp-RenderedMarkdown > p")].map(
   text => text.getBoundingClientRect().width / parseFloat(getComputedStyle(text).fontSize))"""
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser-faults")]
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser")]
 
 
 def test_a_copy_that_was_only_opened_has_nothing_to_save(chapter_page: NotebookPage) -> None:

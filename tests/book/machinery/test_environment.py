@@ -47,9 +47,7 @@ def test_names_what_is_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
     ]
 
 
-@pytest.fixture
-def in_a_browser(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
-    """Packages and their versions, as Python in a page finds them; the test may change them."""
+def test_a_browser_is_no_place_to_install_a_package(monkeypatch: pytest.MonkeyPatch) -> None:
     there = dict(IN_A_BROWSER)
 
     def version(name: str) -> str:
@@ -59,19 +57,9 @@ def in_a_browser(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
 
     monkeypatch.setattr(environment.metadata, "version", version)
     monkeypatch.setattr(sys, "platform", "emscripten")
-    return there
-
-
-def test_all_is_well_in_a_browser(in_a_browser: dict[str, str]) -> None:
     assert environment.problems() == []
     assert "matplotlib 3.8.4" in environment.report()
-    assert "lab.py" not in environment.report()
-
-
-def test_a_browser_without_a_package_is_no_place_to_install_it(
-    in_a_browser: dict[str, str],
-) -> None:
-    del in_a_browser["tqdm"]
+    del there["tqdm"]
     said = environment.report()
     assert "tqdm is not installed" in said
     assert "reload the page" in said

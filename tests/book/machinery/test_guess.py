@@ -9,7 +9,7 @@ from dataclasses import replace
 import nbformat
 import numpy as np
 import pytest
-from pages import CHAPTERS as CHAPTERS_IN_ORDER, LEDGER, START, name_of
+from pages import CHAPTERS as CHAPTERS_IN_ORDER, LEDGER, START
 from scipy.constants import arcminute
 
 from driftlab.book import guess, guesses
@@ -36,8 +36,13 @@ def empty_folder(tmp_path, monkeypatch):
     return tmp_path
 
 
-def guessed(length: float = 10.0, side: str = "right", puzzle: Puzzle = PUZZLE) -> GuessControl:
-    control = GuessControl(puzzle)
+def guessed(
+    length: float = 10.0,
+    side: str = "right",
+    puzzle: Puzzle = PUZZLE,
+    control: GuessControl | None = None,
+) -> GuessControl:
+    control = control or GuessControl(puzzle)
     control.inputs[0].field.value = 1.0
     control.inputs[0].field.value = length
     control.inputs[1].radio.value = side
@@ -55,19 +60,12 @@ def test_nothing_is_said_before_a_guess():
     assert "Which &lt;side&gt;?" in bundle["text/html"]
 
 
-def test_a_choice_has_to_be_made_first(empty_folder):
+@pytest.mark.parametrize(("side", "words"), [(None, "choose"), ("left", "Move each slider")])
+def test_where_a_slider_or_a_menu_stands_at_first_is_no_guess(side, words, empty_folder):
     control = GuessControl(PUZZLE)
+    control.inputs[1].radio.value = side
     control.button.click()
-    assert "choose" in control.answer.value
-    assert "20" not in control.answer.value
-    assert not (empty_folder / FILE).exists()
-
-
-def test_where_a_slider_stands_at_first_is_no_guess(empty_folder):
-    control = GuessControl(PUZZLE)
-    control.inputs[1].radio.value = "left"
-    control.button.click()
-    assert "Move each slider" in control.answer.value
+    assert words in control.answer.value
     assert "20" not in control.answer.value
     assert not (empty_folder / FILE).exists()
 
@@ -106,12 +104,9 @@ def test_field_and_slider_move_together():
 
 
 def test_first_guess_stays(empty_folder):
-    first, second = GuessControl(PUZZLE), GuessControl(PUZZLE)
-    for control, length in ((first, 10.0), (second, 20.0)):
-        control.inputs[0].field.value = 1.0
-        control.inputs[0].field.value = length
-        control.inputs[1].radio.value = "left"
-        control.button.click()
+    second = GuessControl(PUZZLE)
+    guessed(10.0, "left")
+    guessed(20.0, "left", control=second)
     assert kept_guess(PUZZLE) == (True, [10.0, "left"])
     again = GuessControl(PUZZLE)
     assert "you <b>10 m</b>" in again.answer.value
@@ -181,11 +176,6 @@ def test_foreign_file_is_left_alone(content, empty_folder):
     assert "that you made first" in GuessControl(PUZZLE).answer.value
 
 
-def test_folder_in_the_place_of_the_file(empty_folder):
-    (empty_folder / FILE).mkdir()
-    assert "stays as it is" in guessed().answer.value
-
-
 @pytest.mark.skipif(os.name == "nt", reason="links ask for rights there")
 def test_link_stays_a_link(tmp_path, empty_folder):
     elsewhere = tmp_path / "elsewhere.json"
@@ -203,6 +193,9 @@ def test_nothing_can_be_written(monkeypatch, empty_folder):
     assert "cannot be written" in guessed().answer.value
     assert os.listdir(empty_folder) == []
     assert kept_guess(PUZZLE)[1] == [10.0, "right"]
+    (empty_folder / FILE).mkdir()
+    kept_guesses.in_memory.clear()
+    assert "stays as it is" in guessed().answer.value
 
 
 def test_guess_of_another_chapter_stays_beside(empty_folder):
@@ -215,24 +208,22 @@ def test_guess_of_another_chapter_stays_beside(empty_folder):
 
 
 @pytest.mark.parametrize(
-    ("value", "says"),
+    ("question", "truth", "value", "says"),
     [
-        (20, "it almost exactly"),
-        (10, "half of it"),
-        (2, "a tenth of it"),
-        (40.5, "twice as much"),
-        (1000, "about 50 times as much"),
-        (0.1, "about 200 times what you guessed"),
-        (23, "a little more than it is"),
+        (LENGTH, 20.0, 20, "it almost exactly"),
+        (LENGTH, 20.0, 10, "half of it"),
+        (LENGTH, 20.0, 2, "a tenth of it"),
+        (LENGTH, 20.0, 40.5, "twice as much"),
+        (LENGTH, 20.0, 1000, "about 50 times as much"),
+        (LENGTH, 20.0, 0.1, "about 200 times what you guessed"),
+        (LENGTH, 20.0, 23, "a little more than it is"),
+        (COUNT, 6.0, 6, "exactly"),
+        (COUNT, 6.0, 7, "1 too many"),
+        (COUNT, 6.0, 0, "6 too few"),
     ],
 )
-def test_how_far_off_is_said_in_words(value, says):
-    assert says in LENGTH.how_far(value, 20.0)
-
-
-@pytest.mark.parametrize(("value", "says"), [(6, "exactly"), (7, "1 too many"), (0, "6 too few")])
-def test_counts_differ_by_a_number(value, says):
-    assert says in COUNT.how_far(value, 6.0)
+def test_how_far_off_is_said_in_words(question, truth, value, says):
+    assert says in question.how_far(value, truth)
 
 
 def test_marks_stay_on_the_scale():
@@ -253,28 +244,27 @@ def truths():
     return {chapter: puzzle_of(chapter).truths() for chapter in CHAPTERS}
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS)
-def test_truth_lies_on_its_scale_and_is_not_given_away(chapter, truths):
-    puzzle = puzzle_of(chapter)
-    assert puzzle.chapter == chapter
-    assert puzzle.allows(truths[chapter])
-    assert puzzle.remark(truths[chapter])
-    for question, truth in zip(puzzle.questions, truths[chapter], strict=True):
-        if isinstance(question, Number) and not question.whole:
-            # The slider does not begin near the answer.
-            assert abs(math.log10(truth / question.start)) > 0.4
+def test_truth_lies_on_its_scale_and_is_not_given_away(truths):
+    for chapter in CHAPTERS:
+        puzzle = puzzle_of(chapter)
+        assert puzzle.chapter == chapter
+        assert puzzle.allows(truths[chapter])
+        assert puzzle.remark(truths[chapter])
+        for question, truth in zip(puzzle.questions, truths[chapter], strict=True):
+            if isinstance(question, Number) and not question.whole:
+                # The slider does not begin near the answer.
+                assert abs(math.log10(truth / question.start)) > 0.4, chapter
 
 
-@pytest.mark.parametrize("path", [START, *CHAPTERS_IN_ORDER, LEDGER], ids=name_of)
-def test_question_stands_before_what_computes_the_answer(path):
+def test_question_stands_before_what_computes_the_answer():
     """Under the text the question; what computes the answer is folded away when a page opens."""
-    cells = nbformat.read(path, as_version=4).cells
-    text, asked, fold, computes = cells[1:5]
-    assert text.source.startswith("## A puzzle")
-    assert asked.source == f'from driftlab.book import guess\n\nguess("{path.name[:2]}")'
-    assert fold.source.startswith("### Guessed? Then compute it")
-    assert fold.metadata["jp-MarkdownHeadingCollapsed"] is True
-    assert computes.cell_type == "code"
+    for path in (START, *CHAPTERS_IN_ORDER, LEDGER):
+        text, asked, fold, computes = nbformat.read(path, as_version=4).cells[1:5]
+        assert text.source.startswith("## A puzzle"), path.name
+        assert asked.source == f'from driftlab.book import guess\n\nguess("{path.name[:2]}")'
+        assert fold.source.startswith("### Guessed? Then compute it")
+        assert fold.metadata["jp-MarkdownHeadingCollapsed"] is True
+        assert computes.cell_type == "code"
 
 
 def test_sentences_under_the_answers_are_true(truths):
@@ -302,9 +292,12 @@ def plumb_line() -> float:
     return np.abs(forward / upward).max() / arcminute
 
 
-def test_looking_back_at_nothing():
+def test_looking_back_at_nothing_and_at_little():
     assert repr(guesses()) == guesses().says
     assert "No guess is kept yet" in guesses()._repr_html_()
+    keep(puzzle_of("01"), [30.0])
+    assert f"With {ENOUGH} numbers" in guesses().says
+    assert guesses().rows[0].ratio == "24"
 
 
 def test_looking_back_at_all(truths):
@@ -325,9 +318,3 @@ def test_looking_back_at_all(truths):
     assert "came closer" in found.says
     assert found._repr_html_().count("<tr>") == len(found.rows) + 1
     assert len(repr(found).splitlines()) == len(found.rows) + 1
-
-
-def test_few_guesses_say_nothing_of_intuition():
-    keep(puzzle_of("01"), [30.0])
-    assert f"With {ENOUGH} numbers" in guesses().says
-    assert guesses().rows[0].ratio == "24"

@@ -24,6 +24,7 @@ from driftlab.book.machinery.panel.control import Control
 from driftlab.book.machinery.panel.panel import ERROR_CLASS, OWN_VALUES, Explorer
 from driftlab.book.machinery.panel.results import Results
 from driftlab.book.machinery.panel.still import still
+from driftlab.book.machinery.panel.units import angle_text, number_text
 from grouped import opened
 from panel_numbers import results_of, shown_numbers
 
@@ -66,20 +67,6 @@ def test_the_values_of_a_still_may_hold_any_text() -> None:
     text = still(b"", "jpeg", "a picture", "Panel", values)
     figure = ElementTree.fromstring(re.search("<figure.*?>", text)[0] + "</figure>")
     assert json.loads(figure.get("data-values")) == {**values, "most": "inf"}
-
-
-def test_panels_share_no_state() -> None:
-    first, second = RootsExplorer(), RootsExplorer()
-    picture = second.view.widget.value
-    first.set(size=0.4)
-    assert second.view.widget.value == picture
-    assert second.values["size"] != 0.4
-
-
-def test_own_values_are_not_called_a_preset() -> None:
-    panel = opened(RootsExplorer)
-    panel.set(azimuth=12.0)
-    assert panel.preset.value == ""
 
 
 @pytest.mark.parametrize(
@@ -125,10 +112,12 @@ class Fragile(Explorer):
         return "pass"
 
 
-def test_a_refusal_is_a_sentence_in_the_panel_and_keeps_the_picture() -> None:
+def test_a_refusal_is_a_sentence_in_the_panel_and_keeps_the_picture(tmp_path: Path) -> None:
     panel = Fragile()
     picture = panel.view.widget.value
+    before = panel.save(tmp_path / "before.svg").read_bytes()
     panel.set(x=1.5)
+    assert panel.save(tmp_path / "after.svg").read_bytes() == before
     assert "x: expected at most 1, got more &amp; more." in panel.message.value
     assert panel.view.widget.value == picture
     assert results_of(panel) == [("n", "–"), ("m", "–")]
@@ -186,26 +175,6 @@ def test_any_widget_can_draw_for_an_explorer() -> None:
     assert panel.page.alt == f"shining. {OWN_VALUES} brightness: 3"
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("ending", "begins"), [("pdf", b"%PDF"), ("svg", b"<?xml"), ("png", b"\x89PNG")]
-)
-def test_what_a_panel_shows_is_saved(tmp_path: Path, ending: str, begins: bytes) -> None:
-    """Of the values that it shows, in the width that is asked for, and the panel stays as it is."""
-    panel = opened(AllanExplorer)
-    shown = panel.view.widget.value
-    opening = panel.save(tmp_path / f"opening.{ending}", width=COLUMN).read_bytes()
-    assert opening.startswith(begins)
-    assert opening == panel.save(str(tmp_path / f"again.{ending}"), width=COLUMN).read_bytes()
-    assert panel.view.widget.value == shown
-    panel.set(ramp=1000.0)
-    path = panel.save(tmp_path / f"moved.{ending}", width=COLUMN)
-    assert path.read_bytes() != opening
-    if ending == "png":
-        assert picture_width(path) == 600 * COLUMN
-        assert picture_width(panel.save(path)) == 100 * panel.picture_class.size[0]
-
-
 def test_a_slider_of_whole_numbers_refuses_a_fraction() -> None:
     control = Control("turns", "turns k", 5, 1, 20, 1)
     control.check(2.0)
@@ -213,17 +182,26 @@ def test_a_slider_of_whole_numbers_refuses_a_fraction() -> None:
         control.check(2.5)
 
 
+@pytest.mark.slow
+def test_what_a_panel_shows_is_saved(tmp_path: Path) -> None:
+    """Of the values that it shows, in the width that is asked for, and the panel stays as it is."""
+    panel = opened(AllanExplorer)
+    shown = panel.view.widget.value
+    assert panel.save(tmp_path / "a.pdf", width=COLUMN).read_bytes().startswith(b"%PDF")
+    opening = panel.save(str(tmp_path / "a.svg"), width=COLUMN).read_bytes()
+    assert opening == panel.save(tmp_path / "again.svg", width=COLUMN).read_bytes()
+    assert panel.view.widget.value == shown
+    panel.set(ramp=1000.0)
+    assert panel.save(tmp_path / "moved.svg", width=COLUMN).read_bytes() != opening
+    path = tmp_path / "a.png"
+    assert picture_width(panel.save(path, width=COLUMN)) == 600 * COLUMN
+    assert picture_width(panel.save(path)) == 100 * panel.picture_class.size[0]
+
+
 def picture_width(path: Path) -> int:
     """Width of a picture in pixels."""
     with Image.open(path) as picture:
         return picture.width
-
-
-def test_a_panel_that_refuses_its_values_saves_the_picture_that_it_shows(tmp_path: Path) -> None:
-    panel = Fragile()
-    before = panel.save(tmp_path / "before.svg").read_bytes()
-    panel.set(x=1.5)
-    assert panel.save(tmp_path / "after.svg").read_bytes() == before
 
 
 def test_a_panel_says_how_its_picture_is_saved() -> None:
@@ -258,20 +236,17 @@ class OnScreen(Shining):
     picture_class = ScreenPicture
 
 
-def test_a_picture_of_a_screen_alone_is_saved_in_no_other_width(tmp_path: Path) -> None:
-    panel = OnScreen()
-    with pytest.raises(ValueError, match=r"width: expected None for .* for a screen, got 3\.5"):
-        panel.save(tmp_path / "wide.pdf", width=3.5)
-    assert picture_width(panel.save(tmp_path / "wide.png")) == 100 * ScreenPicture.size[0]
-
-
-def test_refusals_of_save(tmp_path: Path) -> None:
+def test_a_picture_is_saved_only_in_a_form_and_width_that_it_has(tmp_path: Path) -> None:
     panel = opened(RootsExplorer)
     with pytest.raises(ValueError, match=r"path: expected an ending of \.pdf, \.svg, \.png, got"):
         panel.save(tmp_path / "numbers.csv")
     with pytest.raises(ValueError, match=r"width: expected inches between 3 and 12"):
         panel.save(tmp_path / "roots.pdf", width=89)
     assert not list(tmp_path.iterdir())
+    panel = OnScreen()
+    with pytest.raises(ValueError, match=r"width: expected None for .* for a screen, got 3\.5"):
+        panel.save(tmp_path / "wide.pdf", width=3.5)
+    assert picture_width(panel.save(tmp_path / "wide.png")) == 100 * ScreenPicture.size[0]
 
 
 def test_a_picture_is_as_sharp_as_the_screen_within_bounds() -> None:
@@ -300,3 +275,12 @@ def test_what_is_missing_has_a_sign_and_zero_has_none() -> None:
 
 def results_of_html(results: Results) -> list[tuple[str, str]]:
     return shown_numbers(results.headline_html() + results.table_html())
+
+
+def test_numbers_and_angles_have_three_digits_and_a_unit_that_suits_them() -> None:
+    numbers = {0.0123: "0.0123", 104.2: "104", 6502.0: "6500", 3.21e-7: "3.21·10⁻⁷", 0.0: "0"}
+    for number, text in numbers.items():
+        assert number_text(number) == text
+    angles = {0.05: "2.86°", 0.001: "3.44′", 1e-5: "2.06″", 1e-13: "2.06·10⁻⁸″", 1e-17: "0″"}
+    for angle, text in {**angles, np.nan: "–"}.items():
+        assert angle_text(angle) == text

@@ -3,10 +3,20 @@
 import numpy as np
 import pytest
 
-from driftlab.book.machinery.scene.solids import FACES, arrow, box, box_corners, circle, globe
+from driftlab.book.machinery.scene.solids import (
+    FACES,
+    arrow,
+    box,
+    box_corners,
+    circle,
+    globe,
+    raised,
+    sea,
+    ship,
+)
 from driftlab.book.machinery.scene.spans import reach, span, ticks_between
 from driftlab.book.machinery.scene.stage import Part, Readout, Stage, View
-from driftlab.book.machinery.scene.svg import part_path
+from driftlab.book.machinery.scene.svg import part_path, still
 
 TIMES = np.arange(3.0)
 STANDING = np.tile([0.0, 0, 0, 1], (3, 1))
@@ -95,3 +105,27 @@ def test_an_arrow_that_points_at_the_reader_has_no_barbs() -> None:
     shaft, barbs = part_path(part, np.array([[0.0, 0.0], [50.0, 0.0]]))[1:].split("M")
     assert shaft == "0.00,0.00L50.00,0.00"
     assert barbs == "42.00,3.20L50.00,0.00L42.00,-3.20"
+
+
+@pytest.mark.parametrize("azimuth", [-150.0, -60.0, 30.0, 120.0])
+def test_the_ship_stands_on_the_sea_from_wherever_one_looks(azimuth: float) -> None:
+    parts = (*ship(), *sea(1.4))
+    stage = Stage(np.arange(2.0), "s", 1.0, {}, (View("", parts, azimuth, 30.0),))
+    picture = still(stage)
+    assert picture.index('"dl-face dl-sea"') < picture.index('"dl-face dl-hull"')
+    assert picture.index('"dl-face dl-sea"') < picture.index('"dl-label dl-letter"')
+
+
+def test_the_hull_and_the_bridge_show_their_outside() -> None:
+    faces = [part.points for part in ship() if part.kind == "face"]
+    hull, bridge = faces[:6], faces[6:]
+    for solid in (hull, bridge):
+        middle = np.mean([face.mean(axis=0) for face in solid], axis=0)
+        for face in solid:
+            normal = np.cross(face[1] - face[0], face[2] - face[1])
+            assert normal @ (face.mean(axis=0) - middle) > 0
+
+
+def test_lifted_parts_keep_their_shape() -> None:
+    for low, high in zip(ship(), raised(ship(), 0.5), strict=True):
+        assert np.allclose(high.points - low.points, [0.0, 0.0, 0.5])

@@ -1,4 +1,4 @@
-"""A page may move sliders of one panel in several threads of the kernel."""
+"""Threads that move one panel, or draw with the one style that Matplotlib has, wait in turn."""
 
 import sys
 from collections.abc import Iterator
@@ -7,6 +7,7 @@ from threading import Barrier
 
 import pytest
 
+import driftlab
 from driftlab.book import DriftExplorer
 from panel_numbers import results_of
 
@@ -39,3 +40,19 @@ def test_a_panel_moved_in_two_threads_shows_what_its_controls_say() -> None:
         assert panel.code.value == alone.code.value
         same = panel.view.widget.value == alone.view.widget.value
         assert same, "another picture than that of these values"
+
+
+def drawn(task) -> bytes:
+    name, width, path = task
+    return driftlab.figure(name).save(path, width=width).read_bytes()
+
+
+@pytest.mark.slow
+def test_figures_of_two_styles_drawn_at_once_are_those_drawn_alone(tmp_path):
+    kinds = [("03-drift-history", 3.5), ("02-roots", None)]
+    alone = {kind: drawn((*kind, tmp_path / "alone.svg")) for kind in kinds}
+    tasks = [(*kind, tmp_path / f"{i}.svg") for i in range(2) for kind in kinds]
+    with ThreadPoolExecutor(4) as threads:
+        found = list(threads.map(drawn, tasks))
+    for (name, width, _), svg in zip(tasks, found, strict=True):
+        assert svg == alone[name, width]
