@@ -132,19 +132,17 @@ def server(browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator:
 
 @pytest.fixture(scope="session")
 def chapter_page(browser, server) -> Iterator:
-    """A page of JupyterLab for chapters, one after the other."""
+    """The page of JupyterLab, for one notebook after the other."""
     from notebook_page import new_page
 
     with new_page(browser, server) as page:
         yield page
 
 
-@pytest.fixture(scope="session")
-def notebook(browser, server) -> Iterator:
-    """Another page, with a notebook of one cell for code that a test brings along."""
-    from notebook_page import new_page
+@pytest.fixture(scope="module")
+def notebook(chapter_page, server):
+    """The same page, with a notebook of one cell for code that a test brings along."""
     from pages import notebook_of
 
-    with new_page(browser, server) as page:
-        page.open(server.add_notebook("panel.ipynb", notebook_of("")))
-        yield page
+    chapter_page.open(server.add_notebook("panel.ipynb", notebook_of("")))
+    return chapter_page

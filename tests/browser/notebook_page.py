@@ -192,7 +192,6 @@ class NotebookPage:
 
     def show(self, code: str) -> None:
         """Let a notebook of one cell show the output of some code, with no trouble so far."""
-        self.page.bring_to_front()
         self.page.evaluate(REWRITE, code)
         self.trouble.clear()
         self.run_all()
@@ -210,12 +209,10 @@ class NotebookPage:
 
     def show_cell(self, index: int) -> None:
         """Scroll to a cell; JupyterLab keeps only what is near in the page."""
-        self.page.bring_to_front()
         answer(self.page, SHOW_CELL, index)
 
     def read_through(self) -> None:
         """Scroll from the first cell to the last, as fast as they are painted."""
-        self.page.bring_to_front()
         answer(self.page, READ_THROUGH)
 
     def show_files(self, wanted: bool) -> None:
@@ -228,11 +225,7 @@ class NotebookPage:
 
     def show_on(self, screen: str) -> None:
         """Take the size of a screen; on a narrow one the list of files is hidden."""
-        self.page.bring_to_front()  # a page behind another is painted once a second
         width, height = map(int, screen.split("x"))
-        # Pages share a window, and a page that was opened meanwhile may have changed its size,
-        # of which this one knows nothing: it would not ask for the size that it seems to have.
-        self.page.set_viewport_size({"width": width, "height": height - 1})
         self.page.set_viewport_size({"width": width, "height": height})
         self.show_files(width > 1000)
 

@@ -116,7 +116,6 @@ class PanelPage:
         self.panel = page.locator(f".{PANEL_CLASS}").filter(has=heading).first
         self.image = self.panel.locator(".driftlab-picture")
         self.image.wait_for()
-        page.bring_to_front()
         # The elements themselves: to find them again takes longer than most questions to them.
         self._element = self.panel.element_handle()
         self._preset = self.panel.get_by_role("combobox", name="preset").element_handle()

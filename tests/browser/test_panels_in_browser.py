@@ -74,7 +74,9 @@ def test_each_kind_of_control_obeys_mouse_and_keys_and_shows_its_focus(panel: Pa
 
 
 @panels("DriftExplorer")
-def test_a_number_can_be_typed_over_a_readout(panel: Panel) -> None:
+def test_what_is_typed_goes_to_the_panel_and_not_to_jupyterlab(
+    panel: Panel, notebook: NotebookPage
+) -> None:
     shown, control = panel.shown, panel.twin.controls[0]
     near = control.low + control.step
     # Enter takes it and so does leaving; a decimal comma is a point.
@@ -88,16 +90,9 @@ def test_a_number_can_be_typed_over_a_readout(panel: Panel) -> None:
         shown.settle()
         assert shown.values()[control.name] == pytest.approx(value)
     panel.assert_agrees()
-
-
-@panels("DriftExplorer")
-def test_keys_in_a_panel_are_no_commands_of_jupyterlab(
-    panel: Panel, notebook: NotebookPage
-) -> None:
-    shown, slider = panel.shown, panel.twin.controls[0]
     before = notebook.cells()
-    shown.press(slider, "x", "b", "d", "d", "Enter", "Escape")
+    shown.press(control, "x", "b", "d", "d", "Enter", "Escape")
     assert notebook.cells() == before
     notebook.show_files(True)
-    shown.press(slider, "Control+b")  # but this one is
+    shown.press(control, "Control+b")  # but this one is a command
     wait_until(notebook.page, lambda: not notebook.files_are_shown(), "the files to be hidden")

@@ -10,18 +10,23 @@ from pathlib import Path
 from typing import ClassVar
 from xml.etree import ElementTree
 
-import ipywidgets as widgets
 import numpy as np
 import pytest
 from PIL import Image
 
-from driftlab.book import AllanExplorer, DriftExplorer, RootsExplorer, TurnCalibrationExplorer
+from driftlab.book import (
+    AllanExplorer,
+    DriftExplorer,
+    RootsExplorer,
+    TurnCalibrationExplorer,
+    TurningBlock,
+)
 from driftlab.book.ch02_characteristic_equation.experiments import characteristic_roots
 from driftlab.book.ch02_characteristic_equation.figures.roots import RootsPicture
 from driftlab.book.machinery.figure.picture import Picture
 from driftlab.book.machinery.figure.sheet import COLUMN
 from driftlab.book.machinery.panel.control import Control
-from driftlab.book.machinery.panel.panel import ERROR_CLASS, OWN_VALUES, Explorer
+from driftlab.book.machinery.panel.panel import ERROR_CLASS, Explorer
 from driftlab.book.machinery.panel.results import Results
 from driftlab.book.machinery.panel.still import still
 from driftlab.book.machinery.panel.units import angle_text, number_text
@@ -135,46 +140,6 @@ def test_a_broken_callback_is_raised_and_shown(place: float, error: type[Excepti
     assert "broken &lt;here&gt;" in panel.message.value
 
 
-class Lamp:
-    """What draws in the page by itself: a widget, and a way to bring it up to date."""
-
-    def __init__(self) -> None:
-        self.widget = widgets.Label()
-
-    def show(self, data: float) -> None:
-        self.widget.value = f"{data:g}"
-
-    def still(self) -> tuple[bytes, str]:
-        return self.widget.value.encode(), "plain"
-
-
-class Shining(Explorer):
-    """An explorer whose picture is no Matplotlib figure."""
-
-    title = "shining"
-    picture_class = Lamp
-    controls = (Control("x", "x", 0.5, 0.0, 3.0, 0.1),)
-    presets: ClassVar = {"start": {}}
-    look_for: ClassVar = {"start": "How bright is it?"}
-
-    def compute(self, values):
-        return 2 * values["x"]
-
-    def numbers(self, data):
-        return Results(("brightness", f"{data:g}"), ())
-
-    def call(self, values):
-        return "pass"
-
-
-def test_any_widget_can_draw_for_an_explorer() -> None:
-    panel = Shining()
-    panel.set(x=1.5)
-    assert panel.view.widget.value == "3"
-    assert panel.view.widget in panel.children[1].children
-    assert panel.page.alt == f"shining. {OWN_VALUES} brightness: 3"
-
-
 def test_a_slider_of_whole_numbers_refuses_a_fraction() -> None:
     control = Control("turns", "turns k", 5, 1, 20, 1)
     control.check(2.0)
@@ -208,18 +173,19 @@ def test_a_panel_says_how_its_picture_is_saved() -> None:
     begin, save = re.findall("<code>(.*?)</code>", html.unescape(RootsExplorer().paper.value))
     assert begin == "panel = RootsExplorer()"
     assert save == 'panel.save("picture.pdf", width=3.5)'
-    assert 'panel.save("picture.svg")' in html.unescape(Shining().paper.value)
+    assert 'panel.save("picture.svg")' in html.unescape(opened(TurningBlock).paper.value)
 
 
-def test_a_picture_that_plays_on_a_page_is_saved_as_it_is(tmp_path: Path) -> None:
-    panel = Shining()
-    assert panel.save(tmp_path / "lamp.plain").read_bytes() == b"1"
-    with pytest.raises(ValueError, match=r"path: expected an ending of \.plain, got .*pdf"):
-        panel.save(tmp_path / "lamp.pdf")
+def test_a_scene_is_saved_as_it_is(tmp_path: Path) -> None:
+    scene = opened(TurningBlock)
+    saved = scene.save(tmp_path / "scene.svg").read_bytes()
+    assert (saved, "svg+xml") == scene.view.still()
+    with pytest.raises(ValueError, match=r"path: expected an ending of \.svg, got .*pdf"):
+        scene.save(tmp_path / "scene.pdf")
     with pytest.raises(
         ValueError, match=r"width: expected None for what plays on a page, got 3\.5"
     ):
-        panel.save(tmp_path / "lamp.plain", width=3.5)
+        scene.save(tmp_path / "scene.svg", width=3.5)
 
 
 class ScreenPicture(Picture):
@@ -232,7 +198,7 @@ class ScreenPicture(Picture):
         """Nothing moves."""
 
 
-class OnScreen(Shining):
+class OnScreen(Fragile):
     picture_class = ScreenPicture
 
 
