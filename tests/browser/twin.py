@@ -54,16 +54,17 @@ class Panel:
         """Tell whether it is no scene; what a scene draws has tests of its own."""
         return not isinstance(self.twin, SceneExplorer)
 
-    def sweep(self) -> None:
+    def sweep(self, *, apart: bool = False) -> None:
         """Bring each control to both ends by its keys; the kernel must answer with these values.
 
         The code comes from there. What else belongs to the values is compared at the end only: the
-        tests without a browser sweep the same panel.
+        tests without a browser sweep the same panel. `apart`: each control from the opening values,
+        in a panel that refuses the ends of several together.
         """
         shown, place, opening = self.shown, self.shown.place(), self.shown.preset()
         values = dict(self.start)
         for control in self.twin.controls:
-            if not self.is_picture:  # a scene may refuse the ends of several together
+            if apart:
                 shown.choose_preset(opening)
                 values = dict(self.start)
             element = shown.element(control)
