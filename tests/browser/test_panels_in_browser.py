@@ -1,7 +1,5 @@
 """Every panel of the book in a page: each control goes to both ends, and nothing is cut off."""
 
-from collections.abc import Iterator
-
 import pytest
 from notebook_page import SCREENS, NotebookPage, wait_until
 from places import PLACES
@@ -18,17 +16,6 @@ def panels(*names: str) -> pytest.MarkDecorator:
     """Run a test with these panels, each alone in the notebook."""
     cases = [pytest.param(FIRST_PLACES[name], id=name) for name in names]
     return pytest.mark.parametrize("panel", cases, indirect=True)
-
-
-@pytest.fixture
-def panel(request, notebook: NotebookPage) -> Iterator[Panel]:
-    """The panel of a place in the book; at the end nothing may have gone wrong anywhere."""
-    place = request.param
-    name, arguments = place.explorer, ", ".join(map(repr, place.arguments))
-    notebook.show_on(SCREENS[1])
-    notebook.show(f"from driftlab.book import {name}\n{name}({arguments})")
-    yield Panel.on(notebook.page, place)
-    assert notebook.all_trouble() == []
 
 
 @panels(*sorted(FIRST_PLACES))

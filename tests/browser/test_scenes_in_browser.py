@@ -1,11 +1,10 @@
 """Every living scene in a page: what is drawn there is what the package says, at every moment."""
 
 import re
-from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from notebook_page import FRAME, SCREENS, NotebookPage, wait_until
+from notebook_page import FRAME, wait_until
 from places import Place
 from twin import Panel
 
@@ -56,22 +55,13 @@ TOLERANCE = 0.011
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser")]
 
 
-@pytest.fixture
-def scene(request, notebook: NotebookPage) -> Iterator[Panel]:
-    """A scene of the book, alone in the notebook; at the end nothing may have gone wrong."""
-    name = request.param
-    notebook.show_on(SCREENS[1])
-    notebook.show(f"from driftlab.book import {name}\n{name}()")
-    yield Panel.on(notebook.page, Place("", 0, name, ()))
-    assert notebook.all_trouble() == []
-
-
 def scenes(*names: str) -> pytest.MarkDecorator:
-    return pytest.mark.parametrize("scene", names, indirect=True)
+    places = [Place("", 0, name, ()) for name in names]
+    return pytest.mark.parametrize("panel", places, ids=names, indirect=True)
 
 
-def ask(scene: Panel, function: str):
-    return scene.shown.page.evaluate(f"({function})({SCENE})")
+def ask(panel: Panel, function: str):
+    return panel.shown.page.evaluate(f"({function})({SCENE})")
 
 
 def numbers(path: str) -> np.ndarray:
@@ -97,34 +87,34 @@ def assert_drawn(view: View, stage: Stage, moment: int, drawn: list) -> None:
 
 
 @scenes(*(each.__name__ for each in SCENES))
-def test_every_place_on_the_screen_is_a_number_of_the_package(scene: Panel) -> None:
+def test_every_place_on_the_screen_is_a_number_of_the_package(panel: Panel) -> None:
     """It plays, a key asks for two degrees, and each control goes to both ends."""
-    twin = scene.twin
+    twin = panel.twin
     stage = twin.view.stage(twin.compute(twin.values))
     last = len(stage.times) - 1
     for moment in (0, last // 3, last):
-        ask(scene, f"scene => scene.goTo({moment})")
-        for view, drawn in zip(stage.views, ask(scene, DRAWN), strict=True):
+        ask(panel, f"scene => scene.goTo({moment})")
+        for view, drawn in zip(stage.views, ask(panel, DRAWN), strict=True):
             assert_drawn(view, stage, moment, drawn)
         table = [[readout.name, readout.said(moment)] for readout in stage.readouts]
-        assert ask(scene, TABLE) == table
+        assert ask(panel, TABLE) == table
     written = re.findall(r'class="dl-curve[^"]* dl-future" d="([^"]*)"', still(stage))
-    shown = ask(scene, CURVES)
+    shown = ask(panel, CURVES)
     assert len(shown) == len(written) == sum(len(plot.curves) for plot in stage.plots)
     for ours, theirs in zip(shown, written, strict=True):
         np.testing.assert_allclose(numbers(ours), numbers(theirs), rtol=0, atol=TOLERANCE)
-    before, after = ask(scene, PLAY)
+    before, after = ask(panel, PLAY)
     assert after > before
-    scene.sweep(apart=type(twin).__name__ == "BoxOnTheWayNorth")
-    if "data-handle" in ask(scene, "scene => scene.viewsBox.outerHTML"):
-        np.testing.assert_allclose(ask(scene, RAISED), 2.0)
+    panel.sweep(apart=type(twin).__name__ == "BoxOnTheWayNorth")
+    if "data-handle" in ask(panel, "scene => scene.viewsBox.outerHTML"):
+        np.testing.assert_allclose(ask(panel, RAISED), 2.0)
 
 
 @scenes("TurningBlock")
-def test_a_handle_obeys_the_arrow_keys_and_keeps_the_focus(scene: Panel) -> None:
+def test_a_handle_obeys_the_arrow_keys_and_keeps_the_focus(panel: Panel) -> None:
     """The kernel answers with a new stage, and the sliders of the panel have moved with it."""
-    shown, page = scene.shown, scene.shown.page
-    ask(scene, "scene => scene.goTo(0)")
+    shown, page = panel.shown, panel.shown.page
+    ask(panel, "scene => scene.goTo(0)")
     before = shown.numbers()
     handle = shown.panel.locator('[data-handle="axis of the turns"]')
     handle.focus()
@@ -136,14 +126,14 @@ def test_a_handle_obeys_the_arrow_keys_and_keeps_the_focus(scene: Panel) -> None
 
 
 @scenes("TurningBlock")
-def test_the_kernel_is_told_where_a_scene_stands(scene: Panel) -> None:
-    page = scene.shown.page
-    ask(scene, "scene => scene.goTo(0)")
+def test_the_kernel_is_told_where_a_scene_stands(panel: Panel) -> None:
+    page = panel.shown.page
+    ask(panel, "scene => scene.goTo(0)")
     page.locator(".dl-bar input").focus()
     for _ in range(3):
         page.keyboard.press("ArrowRight")
-    assert ask(scene, "scene => [scene.moment, scene.model.get('moment')]") == [3, 3]
+    assert ask(panel, "scene => [scene.moment, scene.model.get('moment')]") == [3, 3]
     page.keyboard.press(" ")
-    assert ask(scene, "scene => !!scene.playing")
+    assert ask(panel, "scene => !!scene.playing")
     page.keyboard.press(" ")
-    assert not ask(scene, "scene => !!scene.playing")
+    assert not ask(panel, "scene => !!scene.playing")
