@@ -1,7 +1,8 @@
 """The notebooks of the book with their outputs, as a kernel leaves them.
 
-They are kept in build/site/executed, so that a change of the site's own pages runs none of them
-again; a change of the package, or of what it stands on, runs all.
+Each is executed once: what a run left is kept in _executed for the site, the PDF and the slides,
+and the tests of the notebooks leave their runs there. A change of a notebook, of the package or of
+its environment makes a new run.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import os
 import shutil
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from pathlib import Path
 
 import nbformat
@@ -19,17 +21,17 @@ from nbformat import NotebookNode
 from traitlets.config import Config
 
 ROOT = Path(__file__).resolve().parent.parent
-KEPT = ROOT / "build/site/executed"
+KEPT = ROOT / "_executed"
 COPY = ROOT / "build/site/run"
 """A copy of the book to run in: what a notebook writes stays out of the book's own folder."""
 FOLDER = ROOT / "notebooks"
 PUBLISHED = ("", "solutions")
-"""Folders of the book that the site shows."""
-NOT_PUBLISHED = "instructors"
-"""Folder of what students should not find, the examination above all."""
+"""Folders of the book that the site shows; what students should not find is in none of them."""
 LONGEST = ("08_", "06_")
 """Beginnings of those that run longest: they are begun first."""
 AT_ONCE = 2
+# Matrices as small as the book's are done sooner by one thread, and kernels do not share threads.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 SECONDS = 600
 """For one cell, on a busy machine."""
 
@@ -50,33 +52,44 @@ def published(folder: Path = FOLDER) -> list[str]:
 
 def executed(wanted: Iterable[str] | None = None) -> dict[str, NotebookNode]:
     """Return notebooks with the outputs of all their cells, by name."""
-    below = _digest(_what_notebooks_stand_on())
-    shutil.rmtree(COPY, ignore_errors=True)
-    shutil.copytree(FOLDER, COPY, ignore=shutil.ignore_patterns(".ipynb_checkpoints", "*.json"))
-    names = sorted(wanted or notebooks(), key=lambda name: (not name.startswith(LONGEST), name))
-    with ThreadPoolExecutor(AT_ONCE) as threads:
-        runs = threads.map(lambda name: _executed(name, below), names)
-        found = dict(zip(names, runs, strict=True))
-    return {name: found[name] for name in sorted(found)}
+    wanted = sorted(wanted or notebooks())
+    found = {name: kept for name in wanted if (kept := _kept(name))}
+    missing = sorted(set(wanted) - found.keys(), key=lambda each: not each.startswith(LONGEST))
+    if missing:
+        shutil.rmtree(COPY, ignore_errors=True)
+        shutil.copytree(FOLDER, COPY, ignore=shutil.ignore_patterns("*_checkpoints", "*.json"))
+        with ThreadPoolExecutor(AT_ONCE) as threads:
+            found |= zip(missing, threads.map(_run, missing), strict=True)
+    return {name: found[name] for name in wanted}
 
 
-def _executed(name: str, below: str) -> NotebookNode:
-    source = FOLDER / name
-    kept = KEPT / name
-    digest = _digest([source], below)
-    if kept.exists():
-        notebook = _read(kept)
-        if notebook.metadata.get("digest") == digest:
-            return notebook
-    notebook = _read(source)
+def keep(name: str, run: NotebookNode) -> NotebookNode:
+    """Keep the outputs of a run for whoever needs this notebook next, and return it with them."""
+    notebook = _read(FOLDER / name)
+    for cell, ran in zip(notebook.cells, run.cells, strict=True):
+        if cell.cell_type == "code":
+            cell.outputs, cell.execution_count = ran.outputs, ran.execution_count
+    notebook.metadata["digest"] = _digest(name)
+    path = KEPT / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    nbformat.write(notebook, path)  # type: ignore[no-untyped-call]
+    return notebook
+
+
+def _kept(name: str) -> NotebookNode | None:
+    if not (KEPT / name).exists():
+        return None
+    notebook = _read(KEPT / name)
+    return notebook if notebook.metadata.get("digest") == _digest(name) else None
+
+
+def _run(name: str) -> NotebookNode:
+    notebook = _read(FOLDER / name)
     place = {"metadata": {"path": str((COPY / name).parent)}}
     # Encrypted, for other users of the computer can listen at the ports of kernels.
     through = Config({"KernelManager": {"transport_encryption": "auto"}})
     NotebookClient(notebook, timeout=SECONDS, resources=place, config=through).execute()
-    notebook.metadata["digest"] = digest
-    kept.parent.mkdir(parents=True, exist_ok=True)
-    nbformat.write(notebook, kept)  # type: ignore[no-untyped-call]
-    return notebook
+    return keep(name, notebook)
 
 
 def _read(path: Path) -> NotebookNode:
@@ -84,15 +97,16 @@ def _read(path: Path) -> NotebookNode:
     return notebook
 
 
-def _what_notebooks_stand_on() -> Iterable[Path]:
-    package = (path for path in (ROOT / "src").rglob("*") if path.is_file())
-    yield from sorted(path for path in package if "__pycache__" not in path.parts)
-    yield ROOT / "environment.txt"
+def _digest(name: str) -> str:
+    return hashlib.sha256(_below() + (FOLDER / name).read_bytes()).hexdigest()
 
 
-def _digest(paths: Iterable[Path], begin: str = "") -> str:
-    found = hashlib.sha256(begin.encode())
-    found.update(os.environ.get("DRIFTLAB_RECORDINGS", "").encode())
-    for path in paths:
-        found.update(f"{path.relative_to(ROOT)}\0".encode() + path.read_bytes())
-    return found.hexdigest()
+@cache
+def _below() -> bytes:
+    """The digest of what all notebooks stand on: the package, its environment, recordings."""
+    found = hashlib.sha256(b"with recordings" if os.environ.get("DRIFTLAB_RECORDINGS") else b"")
+    package = sorted(path for path in (ROOT / "src").rglob("*") if path.is_file())
+    for path in [*package, ROOT / "environment.txt"]:
+        if "__pycache__" not in path.parts:
+            found.update(f"{path.relative_to(ROOT)}\0".encode() + path.read_bytes())
+    return found.digest()

@@ -60,6 +60,21 @@ class Interpreter(InteractiveShell):
         )
 
 
+class Stream(io.TextIOBase):
+    """Keeps what is printed among the outputs, in its place."""
+
+    def __init__(self, name: str, outputs: list) -> None:
+        self.name, self.outputs = name, outputs
+
+    def write(self, text: str) -> int:
+        last = self.outputs[-1] if self.outputs else {}
+        if last.get("name") == self.name:
+            last["text"] += text
+        elif text:
+            self.outputs.append(new_output("stream", name=self.name, text=text))
+        return len(text)
+
+
 @contextlib.contextmanager
 def interpreter(folder: Path) -> Iterator[Interpreter]:
     """Start IPython with its files in `folder`, and leave this process as it was.
@@ -88,16 +103,10 @@ def run_here(notebook: NotebookNode, folder: Path) -> NotebookNode:
         for cell in notebook.cells:
             if cell.cell_type != "code":
                 continue
-            shell.outputs = []
-            streams = {"stdout": io.StringIO(), "stderr": io.StringIO()}
+            shell.outputs = cell.outputs = []
             with (
-                contextlib.redirect_stdout(streams["stdout"]),
-                contextlib.redirect_stderr(streams["stderr"]),
+                contextlib.redirect_stdout(Stream("stdout", shell.outputs)),
+                contextlib.redirect_stderr(Stream("stderr", shell.outputs)),
             ):
-                result = shell.run_cell(cell.source)
-            cell.outputs = list(shell.outputs)
-            for name, stream in streams.items():
-                if stream.getvalue():
-                    cell.outputs.append(new_output("stream", name=name, text=stream.getvalue()))
-            result.raise_error()
+                shell.run_cell(cell.source).raise_error()
     return notebook
