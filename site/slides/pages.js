@@ -1,15 +1,8 @@
 /* Divides what a chapter has for a slide into as many slides as it needs, below each other, then
    starts reveal.js. It measures after formulas and pictures are there, with the fonts of this very
-   computer; so what is here fits, whoever shows it. A slide has the shape of the window it was
-   opened in, from 16:9 to 4:3, and is filled to where the number of the slide stands. The frames of
-   the speaker view have other shapes, and may lie on another screen; so their address says how high
-   a slide is, and how this window divided the chapter, decision by decision. */
+   computer; so what is here fits, whoever shows it. */
 (async () => {
-  const told = new URLSearchParams(location.search);
-  const decisions = told.get("divided")?.split("-").map(Number);
-  const taken = []; // decisions, in their order
-  const ownHeight = Math.round(Math.min(900, Math.max(675, (1200 * innerHeight) / innerWidth)));
-  const CANVAS = { width: 1200, height: Number(told.get("height")) || ownHeight };
+  const CANVAS = { width: 1200, height: 675 };
   const [WIDTH, HEIGHT, LEAST] = [CANVAS.width - 60, CANVAS.height - 64, 18];
   let counted = 0; // lists and tables that were taken apart
   const HEADINGS = "h1, h2, h3, h4";
@@ -25,38 +18,15 @@
   for (const row of [...cells.children]) {
     for (const section of [...row.children]) section.replaceWith(...(await divided(section)));
     if (!row.children.length) row.remove();
-    else if (isOneLine(row.previousElementSibling)) joinedTo(row, row.previousElementSibling);
   }
   measure.remove();
   await Promise.all([...cells.querySelectorAll("img")].map((img) => img.decode()));
   cells.removeAttribute("id");
-  const division = { height: `${CANVAS.height}`, divided: taken.join("-") };
-  const url = `${location.protocol}//${location.host}${location.pathname}?${new URLSearchParams(division)}`;
-  addEventListener("message", told.has("receiver") ? followed : followers);
   await Reveal.initialize({
-    ...CANVAS, margin: 0.01, center: false, hash: true, slideNumber: "c/t", url,
+    ...CANVAS, margin: 0.01, center: false, hash: true, slideNumber: "c/t",
     transition: "none", backgroundTransition: "none", plugins: [RevealNotes],
   });
   document.documentElement.dataset.ready = "yes";
-
-  /* The speaker view says each second that it is there; if this window was opened anew, by F5, its
-     frames still have what was before. */
-  function followers({ data, source }) {
-    if (!/"heartbeat"/.test(data)) return;
-    for (let frame = 0; frame < source.length; frame += 1) source[frame].postMessage(division, "*");
-  }
-  function followed({ data }) {
-    if (!data?.divided || Object.keys(division).every((key) => data[key] === told.get(key))) return;
-    const address = new URL(location);
-    for (const key of Object.keys(division)) address.searchParams.set(key, data[key]);
-    location.replace(address);
-  }
-
-  /* What was measured; in the speaker view, what the other window has measured. */
-  function decided(value) {
-    taken.push(decisions ? decisions[taken.length] : value);
-    return taken.at(-1);
-  }
 
   async function divided(section) {
     let blocks = flat(section);
@@ -114,8 +84,7 @@
     const parts = element.matches("ul, ol") ? [...element.children]
       : whole ? [...whole.querySelectorAll("tbody > tr")] : [];
     if (parts.length < 2) return [block];
-    const fits = element.offsetHeight < HEIGHT - 90 && !element.matches("ul, ol");
-    if (decided(fits ? 1 : 0)) return [block];
+    if (element.offsetHeight < HEIGHT - 90 && !element.matches("ul, ol")) return [block];
     counted += 1;
     const found = parts.map((part, number) => {
       const own = whole ? element.cloneNode(true) : element.cloneNode(false);
@@ -147,7 +116,7 @@
     }
     const pages = [];
     for (let end = blocks.length, from; end > 0; end = from) {
-      from = decided(best[end].from);
+      from = best[end].from;
       pages.unshift(blocks.slice(from, end));
     }
     const heading = blocks[0]?.element;
@@ -191,28 +160,6 @@
     return made;
   }
 
-  /* A row that is nothing but a heading and a paragraph, as where the rest is folded in the book. */
-  function isOneLine(row) {
-    const parts = row?.querySelectorAll(".sheet > *") ?? [];
-    return parts.length === 2 && parts[0].matches("h2") && parts[1].matches("p");
-  }
-
-  /* It stands above what comes next, if there is room. */
-  function joinedTo(row, before) {
-    const [lone, next] = [before, row].map((each) => each.querySelector(".sheet"));
-    const made = next.parentElement;
-    const count = lone.children.length;
-    next.prepend(...lone.children);
-    measure.append(next);
-    const fits = decided(next.offsetHeight <= HEIGHT + 24 ? 1 : 0);
-    made.prepend(next);
-    if (!fits) lone.append(...[...next.children].slice(0, count));
-    else {
-      made.append(...before.querySelectorAll("aside.notes"));
-      before.remove();
-    }
-  }
-
   /* Parts of one list or table that came onto one slide are one again. */
   function joined(own) {
     for (const part of [...own.querySelectorAll(".sheet > *, .fragment > *")]) {
@@ -231,52 +178,8 @@
     measure.append(own);
     if (pictures.length === 1) {
       const [img] = pictures;
-      const height = img.offsetHeight + Math.max(0, HEIGHT - own.offsetHeight + 24);
-      if (!stacked(img, height)) sized(img, height);
+      sized(img, img.offsetHeight + Math.max(0, HEIGHT - own.offsetHeight + 24));
     }
     made.prepend(own);
-  }
-
-  /* A scene of two views with its plot beside them is as wide as the slide before it is high. Where
-     that leaves room, the plot comes below the views, as large as it was, and they get larger. */
-  function stacked(img, height) {
-    const [head, data] = img.src.split(",");
-    if (head !== "data:image/svg+xml;base64" || height < 1.2 * img.offsetHeight) return false;
-    const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-    const scene = new DOMParser().parseFromString(new TextDecoder().decode(bytes), "image/svg+xml");
-    const root = scene.documentElement, parts = [...root.children];
-    const views = parts.filter((part) => part.matches("svg:not(.dl-plot)"));
-    const plots = parts.filter((part) => part.matches(".dl-plot"));
-    if (!root.matches(".dl-scene") || views.length !== 2 || plots.length !== 1) return false;
-
-    const number = (part, name) => Number(part.getAttribute(name));
-    const [wide, high] = ["width", "height"].map((name) => number(root, name));
-    const left = number(plots[0], "x"), down = number(plots[0], "height") + 10;
-    const was = img.offsetWidth / wide;
-    const scale = Math.min(WIDTH / left, (height - down * was) / high);
-    if (scale < 1.08 * was) return false;
-    const beside = parts.filter((part) => number(part, "x") >= left);
-    for (const text of beside.filter((part) => part.matches("text"))) {
-      text.setAttribute("x", number(text, "x") + number(plots[0], "width"));
-      text.setAttribute("y", number(text, "y") - down);
-    }
-    const group = (members, x, y, by) => {
-      const made = scene.createElementNS(root.namespaceURI, "g");
-      made.setAttribute("transform", `translate(${x} ${y}) scale(${by})`);
-      made.append(...members);
-      return made;
-    };
-    const total = scale * high + was * down, margin = (WIDTH - scale * left) / 2;
-    const paper = parts.find((part) => part.matches("rect"));
-    const above = parts.filter((part) => /^(svg|text)$/.test(part.tagName) && !beside.includes(part));
-    root.append(group(above, margin, 0, scale), group(beside, margin - was * left, scale * high, was));
-    for (const part of [root, paper]) {
-      part.setAttribute("width", WIDTH);
-      part.setAttribute("height", total);
-    }
-    root.setAttribute("viewBox", `0 0 ${WIDTH} ${total}`);
-    img.src = `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(scene))}`;
-    [img.style.width, img.style.height] = [`${WIDTH}px`, `${total}px`];
-    return true;
   }
 })();
