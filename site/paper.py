@@ -9,16 +9,12 @@ import argparse
 import sys
 from pathlib import Path, PurePosixPath
 
-import nbformat
-from nbformat import NotebookNode
-
 import examination
 from addresses import PDF
 from examination import print_examination
-from executed import FOLDER, executed, notebooks
+from executed import executed, notebooks
 from pdf.contents import label
 from pdf.make import Look, make_handout, make_pdf
-from pdf.sheet import sheet
 from unfinished import Unfinished
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -31,11 +27,10 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="lab.py print", usage="python3 lab.py help print")
     parser.add_argument("names", nargs="*")
     parser.add_argument("--no-code", dest="with_code", action="store_false")
-    parser.add_argument("--exercises", dest="kind", action="store_const", const="exercises")
     parser.add_argument("--edition", help="of the examination: the text that its numbers are from")
     parser.add_argument("--paper", choices=("a4", "us-letter"), default="a4")
     options = parser.parse_args(arguments)
-    look = Look(options.paper, options.with_code, options.kind or "notebook")
+    look = Look(options.paper, options.with_code)
     names = options.names
     try:
         if options.edition is not None:
@@ -68,10 +63,8 @@ def found(asked: str, names: list[str]) -> str:
 
 def printed(names: list[str], look: Look) -> list[Path]:
     """Print notebooks, one file each, or the whole book if none is named; return the files."""
-    how = "-exercises" if look.kind == "exercises" else "" if look.with_code else "-without-code"
+    how = "" if look.with_code else "-without-code"
     if not names:
-        if look.kind == "exercises":
-            raise Unfinished("Name the chapters whose exercises you want, as in: print 03 04.")
         target = PRINTED / f"{PurePosixPath(PDF).stem}{how}.pdf"
         make_pdf(executed(), BUILD, target, look)
         return [target]
@@ -81,22 +74,10 @@ def printed(names: list[str], look: Look) -> list[Path]:
             'print --edition "a term, and a word of your own".'
         )
     targets = []
-    for name, shown in (sheets(names) if look.kind == "exercises" else executed(names)).items():
+    for name, shown in executed(names).items():
         targets.append(PRINTED / f"{label(name)}{how}.pdf")
         make_handout(name, shown, BUILD, targets[-1], look)
     return targets
-
-
-def sheets(names: list[str]) -> dict[str, NotebookNode]:
-    """Return the exercises of chapters, which need not be run."""
-    made = {}
-    for name in names:
-        notebook = nbformat.read(FOLDER / name, as_version=4)  # type: ignore[no-untyped-call]
-        exercises = sheet(notebook)
-        if exercises is None:
-            raise Unfinished(f"{_short(name)} has no exercises.")
-        made[name] = exercises
-    return made
 
 
 def _short(name: str) -> str:

@@ -23,8 +23,6 @@ from unfinished import Unfinished
 READER = "commonmark+pipe_tables+raw_attribute+smart+tex_math_dollars"
 """What JupyterLab reads, and Typst between fences."""
 HTML = "html"
-NAME_IN_CODE = ("driftlab.", "tests/", "notebooks/")
-CHAPTER_AND_SECTION = re.compile(r"^(\d\d),$")
 
 
 class Document:
@@ -113,27 +111,13 @@ class Book:
         content[2] = [f"#{anchors[anchor]}", ""]
         return None
 
-    def _cell(self, cell: list[Any]) -> list[Any]:
-        """A table's cell: what is folded in it unfolded, the section that it names a link."""
-        blocks = cell[4]
-        for block in blocks:
+    @staticmethod
+    def _cell(cell: list[Any]) -> list[Any]:
+        """A table's cell without what is folded in it."""
+        for block in cell[4]:
             if block["t"] in ("Plain", "Para"):
-                block["c"] = self._section(_unfolded(block["c"]))
+                block["c"] = _unfolded(block["c"])
         return cell
-
-    def _section(self, inlines: list[Any]) -> list[Any]:
-        """A cell "03, *Largest drift*" as a link to that section."""
-        if [node["t"] for node in inlines] != ["Str", "Space", "Emph"]:
-            return inlines
-        match = CHAPTER_AND_SECTION.match(inlines[0]["c"])
-        if match is None:
-            return inlines
-        anchor = _words(inlines[2]["c"]).replace(" ", "-")
-        for name, chapter in self.documents.items():
-            if name.startswith(match[1]) and anchor in chapter.anchors:
-                link = [["", [], []], inlines, [f"{name}#{anchor}", ""]]
-                return [{"t": "Link", "c": link}]
-        return inlines
 
 
 def pandoc(text: str, source: str, target: str) -> str:
@@ -163,19 +147,12 @@ def _walk(node: Any, change: Callable[[dict[str, Any]], list[Any] | None]) -> No
 
 
 def _unfolded(inlines: list[Any]) -> list[Any]:
-    """What a fold says, and of what is in it the names of functions: one can look up the rest."""
+    """What a fold says; what is in it one can look up on the page."""
     tags = [node["c"][1] if node["t"] == "RawInline" else "" for node in inlines]
     if "<details>" not in tags:
         return inlines
     begin, end = tags.index("<summary>"), tags.index("</summary>")
-    kept = inlines[: tags.index("<details>")] + inlines[begin + 1 : end]
-    for node in inlines[end + 1 :]:
-        if node["t"] == "Str" and node["c"].startswith(NAME_IN_CODE[0]):
-            name = node["c"].rpartition(".")[2]
-            kept += [{"t": "LineBreak"}, {"t": "Code", "c": [["", [], []], name]}]
-        elif node["t"] == "Str" and not node["c"].startswith(NAME_IN_CODE):
-            return [node for node in inlines if node["t"] != "RawInline" or "<br" in node["c"][1]]
-    return kept
+    return inlines[: tags.index("<details>")] + inlines[begin + 1 : end]
 
 
 def _cells(table: list[Any]) -> list[list[Any]]:

@@ -20,7 +20,6 @@ import driftlab
 from pdf.cells import markdown_of, tight
 from pdf.contents import ERRATA, PARTS, chosen, figure_prefix, goes_on, label, part_of
 from pdf.document import Book, Document
-from pdf.glyphs import pages_with_boxes
 from pdf.pictures import plain_svg
 from unfinished import Unfinished
 
@@ -38,8 +37,7 @@ class Look(NamedTuple):
 
     paper: str = "a4"  # its name in Typst, "a4" or "us-letter"
     with_code: bool = True  # whether what the cells gave has their code above it
-    # a "notebook"; a sheet of "exercises", to be written on; the sheet of an "examination", or the
-    # "scheme" for who marks it
+    # a "notebook"; the sheet of an "examination", or the "scheme" for who marks it
     kind: str = "notebook"
 
 
@@ -53,8 +51,7 @@ def make_pdf(
 ) -> None:
     """Make the PDF of the whole book.
 
-    Unfinished is raised if a formula cannot be read, a link leads nowhere, a sign is in no font, or
-    Typst refuses or warns.
+    Unfinished is raised if a formula cannot be read, a link leads nowhere, or Typst warns.
     """
     folder = _emptied(build / "pdf")
     cover = plain_svg((ROOT / COVER).read_text("utf-8"))
@@ -101,8 +98,6 @@ def _compile(folder: Path, blocks: list[str], target: Path) -> None:
     if warnings:
         raise Unfinished("\n".join(["Typst warns:", *(each.message for each in warnings)]))
     with pikepdf.open(target, allow_overwriting_input=True) as written:
-        if boxes := pages_with_boxes(written):
-            raise Unfinished(f"The fonts lack a sign on page {boxes}; see {FONTS / 'README.md'}.")
         # Tags, by which a screen reader finds its way, are many small things.
         together = pikepdf.ObjectStreamMode.generate
         written.save(target, object_stream_mode=together, deterministic_id=True)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import base64
 import html
 import re
-import struct
 from pathlib import Path
 from typing import NamedTuple
 
 from driftlab.book.machinery.scene.look import colour
+from reading.pictures import size
 
 WIDEST, HIGHEST = 482.0, 540.0
 """In points: the width of the text, and a height that leaves room for a caption."""
@@ -66,8 +66,8 @@ def plain_svg(text: str) -> str:
 
 def narrowed(text: str) -> str:
     """Return a scene of several views with its plots and numbers below them, not beside them."""
-    size = SIZE.search(text)
-    if size is None or int(size[1]) < WIDE or 'class="dl-scene"' not in text:
+    whole = SIZE.search(text)
+    if whole is None or int(whole[1]) < WIDE or 'class="dl-scene"' not in text:
         return text
     across = max(int(x) + int(width) for x, width in VIEWS.findall(text))
     bottom = BELOW
@@ -83,8 +83,8 @@ def narrowed(text: str) -> str:
 
     text = PLACE.sub(below, text)
     narrow = f'viewBox="0 0 {across} {bottom}" width="{across}" height="{bottom}"'
-    behind = f'<rect width="{size[1]}" height="{size[2]}"'
-    return text.replace(size[0], narrow, 1).replace(
+    behind = f'<rect width="{whole[1]}" height="{whole[2]}"'
+    return text.replace(whole[0], narrow, 1).replace(
         behind, f'<rect width="{across}" height="{bottom}"', 1
     )
 
@@ -97,17 +97,6 @@ def paper_width(content: bytes) -> float:
 
 def _size(content: bytes) -> tuple[float, float]:
     """The size on the screen in points, of a picture drawn twice as fine if it is of pixels."""
-    if content.startswith(b"\xff\xd8"):
-        place = 2
-        while content[place + 1] not in (0xC0, 0xC1, 0xC2):
-            place += 2 + struct.unpack(">H", content[place + 2 : place + 4])[0]
-        height, width = struct.unpack(">HH", content[place + 5 : place + 9])
-        return width / 2, height / 2
-    if content.startswith(b"\x89PNG"):
-        width, height = struct.unpack(">II", content[16:24])
-        return width / 2, height / 2
-    head = content[: content.index(b">", content.index(b"<svg"))].decode()
-    sizes = re.findall(r'\b(?:width|height)="([\d.]+)(pt|px|)"', head)
-    (width, unit), (height, _) = sizes
-    scale = 1.0 if unit == "pt" else 0.75
-    return scale * float(width), scale * float(height)
+    scale = 0.75 if b"<svg" in content[:2000] else 0.5
+    width, height = size(content)
+    return scale * width, scale * height

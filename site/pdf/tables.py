@@ -63,27 +63,10 @@ def _rows(table: list[Any]) -> Iterator[list[Any]]:
 
 
 def _measures(blocks: Any) -> tuple[float, float]:
-    """How long a cell is in signs on one line, and the longest word of it."""
-    words: list[float] = [0.0]
-    longest = total = 0.0
-    for kind, content in _leaves(blocks):
-        if kind in ("Space", "SoftBreak", "LineBreak"):
-            total = max(total, sum(words)) if kind == "LineBreak" else total
-            words = [0.0] if kind == "LineBreak" else [*words, 1.0, 0.0]
-            continue
-        if kind == "Code":  # it breaks at its dots
-            parts = re.split(r"(?<=[._/:,= ])", content[1])
-            size = 1.25
-        elif kind == "Math":
-            drawn = _drawn(content[1])
-            parts = [drawn] if r"\\" in content[1] else re.split(r"(?<=[=+])", drawn)
-            size = 1.05
-        else:
-            parts = re.split(r"(?<=[-/–])", content)
-            size = 1.0
-        words[-1] += size * sum(map(len, parts))
-        longest = max(longest, size * max(map(len, parts)))
-    return max(total, sum(words)), longest
+    """How long a cell is in signs, its longest line and its longest word."""
+    text = "".join(_texts(blocks))
+    words = re.split(r"[ \n]|(?<=[-/–._:,=+])", text)  # where a line may end
+    return max(map(len, text.split("\n"))), max(map(len, words))
 
 
 def _drawn(tex: str) -> str:
@@ -96,13 +79,19 @@ def _drawn(tex: str) -> str:
     return max((row.replace("&", GAP_IN_MATRIX) for row in rows), key=len)
 
 
-def _leaves(node: Any) -> Iterator[tuple[str, Any]]:
+def _texts(node: Any) -> Iterator[str]:
     if isinstance(node, list):
         for each in node:
-            yield from _leaves(each)
+            yield from _texts(each)
     elif isinstance(node, dict):
-        kind = node.get("t", "")
-        if kind in ("Str", "Space", "SoftBreak", "LineBreak", "Code", "Math"):
-            yield kind, node.get("c", "")
+        kind, content = node.get("t", ""), node.get("c", [])
+        if kind in ("Space", "SoftBreak", "LineBreak"):
+            yield "\n" if kind == "LineBreak" else " "
+        elif kind == "Math":
+            yield _drawn(content[1]).replace(" ", "\u00a0" if r"\\" in content[1] else "")
+        elif kind == "Code":
+            yield content[1] + "\u00a0" * (len(content[1]) // 4)  # it is wider
+        elif kind == "Str":
+            yield content
         else:
-            yield from _leaves(node.get("c", []))
+            yield from _texts(content)

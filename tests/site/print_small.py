@@ -1,4 +1,4 @@
-"""Prints small notebooks, all sheets of exercises and one chapter, for the tests to look at.
+"""Prints small notebooks and one chapter, for the tests to look at.
 
 ``python print_small.py FOLDER`` with the Python of the site; writes JSON of what names mean.
 """
@@ -49,8 +49,8 @@ def meant(asked: str) -> str:
 
 
 def main(folder: Path) -> None:
-    def make(file: str, notebook: nbformat.NotebookNode, look: Look, name: str = CHAPTER) -> None:
-        make_handout(name, notebook, folder, folder / f"{file}.pdf", look)
+    def make(file: str, notebook: nbformat.NotebookNode, look: Look) -> None:
+        make_handout(CHAPTER, notebook, folder, folder / f"{file}.pdf", look)
 
     make("long", small(12), Look())
     make("short", small(2), Look())
@@ -58,12 +58,6 @@ def main(folder: Path) -> None:
     make("us-letter", small(2), Look(paper="us-letter"))
     if (KEPT / CHAPTER).exists():
         make("chapter", nbformat.read(KEPT / CHAPTER, as_version=4), Look())
-    for name in notebooks():
-        try:
-            sheet = paper.sheets([name])[name]
-        except Unfinished:
-            continue
-        make(f"sheet-{name[:2]}", sheet, Look(kind="exercises"), name)
     print_examination(EDITION, folder, folder, "a4")
     print(json.dumps({asked: meant(asked) for asked in ASKED}))
 

@@ -184,9 +184,9 @@ def test_a_wide_scene_has_its_plots_below_its_views():
 
 
 def test_a_picture_is_as_wide_as_the_text_if_it_is_not_too_high():
-    assert paper_width(b'<svg width="900" height="300">') == WIDEST
-    assert paper_width(b'<svg width="900pt" height="900pt">') == WIDEST
-    assert paper_width(b'<svg width="900pt" height="1800pt">') == HIGHEST / 2
+    assert paper_width(b'<svg viewBox="0 0 900 300">') == WIDEST
+    assert paper_width(b'<svg width="900pt" viewBox="0 0 900 900">') == WIDEST
+    assert paper_width(b'<svg width="900pt" viewBox="0 0 900 1800">') == HIGHEST / 2
 
 
 @in_the_site

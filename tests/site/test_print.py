@@ -1,4 +1,4 @@
-"""Chapters on paper: what a lecturer prints of a notebook, and the sheets of exercises."""
+"""Chapters on paper: what a lecturer prints of a notebook."""
 
 import ctypes
 import json
@@ -12,15 +12,10 @@ import pytest
 from pypdfium2 import raw
 from test_pdf import SIDES, text_of, words
 
-from driftlab.book.chapters import chapters_with
-from driftlab.book.exercises import all_exercises, hints_of
 from driftlab.book.instructors.examination import exam_paper
-from driftlab.book.instructors.questions import outside_a_notebook
-from driftlab.book.machinery.exercise.exercise import NUMBER
-from executed import FOLDER, notebooks
+from executed import notebooks
 from pdf.cells import markdown_of
 from pdf.contents import OUTSIDE, part_of
-from pdf.sheet import sheet
 from support import ROOT
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("site-print")]
@@ -30,8 +25,6 @@ LONG = "a_long_name = another_name"
 WAITS = "not answered yet"
 A4, LETTER = (595.3, 841.9), (612, 792)
 CAPITALS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-FRAMED = 50, 542
-"""Of a sheet with frames to write in: nothing but the space behind a line hangs over them."""
 FEET = 25
 """Points that stay white above and below on every page."""
 
@@ -132,58 +125,6 @@ def test_a_whole_chapter_stays_within_the_margins(printed):
     assert len(document) > 10
 
 
-@pytest.mark.parametrize("chapter", sorted(chapters_with("exercises")))
-def test_a_sheet_has_every_exercise_and_none_of_its_hints(printed, chapter):
-    document = printed(f"sheet-{chapter}")
-    assert_within_the_margins(document, FRAMED)
-    text = words("".join(texts(document)))
-    (name,) = (each for each in notebooks() if each.startswith(chapter))
-    asked = asked_in(nbformat.read(FOLDER / name, as_version=4))
-    assert set(asked) == set(all_exercises(chapter))
-    for number, sentences in asked.items():
-        assert words(number) in text, number
-        for sentence in sentences:
-            assert words(sentence) in text, (number, sentence)
-    for number, helps in hints_of(chapter).items():
-        for hint in (helps.nudge, helps.idea, helps.model):
-            for sentence in plain(hint):
-                assert words(sentence) not in text, (number, sentence)
-
-
-def asked_in(notebook) -> dict[str, list[str]]:
-    """The plain sentences of each exercise."""
-    begun = (
-        (re.match(rf"### ({NUMBER.pattern}) ", cell.source), cell.source) for cell in notebook.cells
-    )
-    return {
-        match[1]: plain(outside_a_notebook(text[match.end() :])) for match, text in begun if match
-    }
-
-
-def plain(text: str) -> list[str]:
-    """What of a text has no markup in it, sentence by sentence, but what is very short."""
-    sentences = re.split(r"(?<=[.?:])\s+|\n+(?:- )?", text)
-    return [each for each in sentences if len(each) > 25 and not re.search(r"[$`*\[<&\\\"']", each)]
-
-
-@pytest.mark.parametrize("chapter", sorted(chapters_with("exercises")))
-def test_a_sheet_is_made_of_questions_and_what_is_given(chapter):
-    """The folded models, the worked solutions and what a check says are not in it."""
-    (name,) = (each for each in notebooks() if each.startswith(chapter))
-    notebook = nbformat.read(FOLDER / name, as_version=4)
-    asked = {outside_a_notebook(cell.source) for cell in notebook.cells}
-    cells = sheet(notebook).cells
-    for cell in cells[1:]:
-        for not_here in ("solutions/", "numbers of your own", "student=", "the card says"):
-            assert not_here not in cell.source
-        assert cell.source in asked or "{=typst}" in cell.source
-        if cell.cell_type == "code":
-            assert "answer = ..." in cell.source
-            assert not cell.outputs
-    rooms = [cell for cell in cells if "#room(" in cell.source]
-    assert len(rooms) == len(all_exercises(chapter))
-
-
 @pytest.mark.parametrize(
     ("asked", "name"),
     [
@@ -240,8 +181,6 @@ def test_no_question_of_an_examination_and_no_part_of_its_scheme_goes_on_overlea
     "arguments",
     [
         ("14",),
-        ("12", "--exercises"),
-        ("--exercises",),
         ("instructors/examination",),
         ("--edition", " "),
         ("03", "--edition", "autumn"),
