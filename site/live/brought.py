@@ -5,13 +5,10 @@ All is checked against its digest and kept in a folder, so that a second build f
 
 from __future__ import annotations
 
-import base64
 import hashlib
-import json
 import shutil
 import subprocess
 import sys
-import tarfile
 from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -52,26 +49,13 @@ def bring_runtime(folder: Path) -> None:
     if _is_runtime(folder):
         return
     name = f"pyodide@{VERSIONS['pyodide']['version']}"
-    other = Unfinished(f"{name} came with other contents than versions.toml says.")
     folder.parent.mkdir(parents=True, exist_ok=True)
     with TemporaryDirectory(dir=folder.parent) as place:  # beside it: then it moves there whole
-        command = [found("npm"), "pack", name, "--json", "--pack-destination", place]
-        said = _run(command, f"npm does not bring {name}")
-        try:
-            packed = Path(place) / json.loads(said)[0]["filename"]
-        except (ValueError, LookupError, TypeError) as error:
-            raise Unfinished(f"npm does not say which file it brought for {name}.") from error
-        digest = base64.b64encode(hashlib.sha512(packed.read_bytes()).digest()).decode()
-        if f"sha512-{digest}" != VERSIONS["pyodide"]["integrity"]:
-            raise other
-        with tarfile.open(packed) as files:
-            files.extractall(place, filter="data")
-        whole = Path(place) / "runtime"
-        whole.mkdir()
-        for kept in VERSIONS["pyodide"]["sha256"]:
-            shutil.copy(Path(place) / "package" / kept, whole)
+        command = [found("npm"), "install", name, f"--prefix={place}", "--ignore-scripts"]
+        _run(command, f"npm does not bring {name}")
+        whole = Path(place) / "node_modules/pyodide"
         if not _is_runtime(whole):
-            raise other
+            raise Unfinished(f"{name} came with other contents than versions.toml says.")
         shutil.rmtree(folder, ignore_errors=True)
         whole.rename(folder)
 
@@ -122,12 +106,10 @@ def _kept(pin: Pin, folder: Path) -> Path | None:
     return None
 
 
-def _run(command: list[str], trouble: str) -> str:
-    """Return what a program prints."""
+def _run(command: list[str], trouble: str) -> None:
     try:
-        done = subprocess.run(command, capture_output=True, encoding="utf-8", check=True)
+        subprocess.run(command, capture_output=True, encoding="utf-8", check=True)
     except OSError as error:
         raise Unfinished(f"{trouble}: {error}") from error
     except subprocess.CalledProcessError as error:
         raise Unfinished(f"{trouble}:\n{error.stderr.strip()}") from error
-    return done.stdout

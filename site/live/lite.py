@@ -11,7 +11,6 @@ from collections.abc import Iterable
 from html import escape
 from pathlib import Path
 from typing import Any
-from zlib import crc32
 
 from addresses import LINK, PAGES, anchor, file_of, page_of
 from executed import FOLDER, published
@@ -20,7 +19,9 @@ from unfinished import Unfinished
 from .versions import ROOT, VERSIONS
 
 PAGE = Path(__file__).resolve().parent / "page"
-"""What the site adds: the strip above the notebook, and the page with a reader's work."""
+"""What the site adds: the strip above the notebook."""
+STORAGE = "Drift Lab"
+"""Under which name a browser keeps what a reader changes."""
 APP = "lab"
 HEAD = """\
 <link rel="icon" href="favicon.ico">
@@ -28,24 +29,17 @@ HEAD = """\
 <script type="module" src="../strip.js"></script>
 """
 """What the page of JupyterLite gets besides."""
-BEGIN = "await import("
-"""How JupyterLite begins, in its page. Before, copies that can be had anew are forgotten."""
-RENEW = """\
-await import("../copies.js").then(({ renew }) => renew()).catch(console.info);
-        """
-MARK = "driftlab-text"
-"""In a notebook's metadata: the mark of the book's text that a reader's copy began with."""
 
 
 def make_lite(build: Path, made: Path, extensions: Iterable[Path], about: dict[str, str]) -> None:
     """Write JupyterLite with every notebook of the book.
 
-    The strip above the notebook knows what is in `about`: "version", "storage", ...
+    The strip above the notebook knows what is in `about`.
     """
     source = build / "lite"
     shutil.rmtree(source, ignore_errors=True)
-    texts = write_contents(source / "files")
-    _write(source / "jupyter-lite.json", settings(about["storage"]))
+    write_contents(source / "files")
+    _write(source / "jupyter-lite.json", settings())
     _write(source / "overrides.json", OVERRIDES)
     options = [f"--LiteBuildConfig.federated_extensions={wheel}" for wheel in extensions]
     command = [sys.executable, "-m", "jupyterlite_core", "build", "--apps", APP, "--no-sourcemaps"]
@@ -55,18 +49,16 @@ def make_lite(build: Path, made: Path, extensions: Iterable[Path], about: dict[s
         raise Unfinished(f"JupyterLite is not built:\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
     shutil.rmtree(made / "extensions/@jupyterlite/pyodide-kernel-extension/static/pypi")
     shutil.copytree(PAGE, made, dirs_exist_ok=True)
-    _write(made / "texts.json", texts)
     # JupyterLab asks for a picture beside its page before it looks among the notebooks.
     shutil.copytree(source / "files/figures", made / APP / "figures")
-    for path in (made / APP / "index.html", made / "my-work.html"):
-        _tell(path, about)
+    _tell(made / APP / "index.html", about)
 
 
 QUIET = {"HOME": "/home/pyodide", "PYTHONWARNINGS": "ignore:tqdm:RuntimeWarning"}
 """tqdm warns, in red, that it has no thread to watch its bars; a browser has none."""
 
 
-def settings(storage: str) -> dict[str, Any]:
+def settings() -> dict[str, Any]:
     """Return what jupyter-lite.json says."""
     kernel = {
         "disablePyPIFallback": True,
@@ -77,12 +69,12 @@ def settings(storage: str) -> dict[str, Any]:
         "jupyter-lite-schema-version": 0,
         "jupyter-config-data": {
             "appName": "Drift Lab",
-            "contentsStorageName": storage,
+            "contentsStorageName": STORAGE,
             "enableMemoryStorage": True,
             "exposeAppInBrowser": True,
             "litePluginSettings": {"@jupyterlite/pyodide-kernel-extension:kernel": kernel},
             "contentsStorageDrivers": ["asyncStorage", "memoryStorageDriver"],
-            "settingsStorageName": f"{storage}: settings",
+            "settingsStorageName": f"{STORAGE}: settings",
             # A link opens its chapter, and not those of last time with a Python for each.
             "workspacesStorageDrivers": ["memoryStorageDriver"],
         },
@@ -96,30 +88,18 @@ OVERRIDES = {
 """Settings of JupyterLab: light or dark as the computer is, and nothing is lost in a closed tab."""
 
 
-def write_contents(folder: Path) -> dict[str, str]:
-    """Write the notebooks, their links led to what a reader of the live book has.
-
-    Return the mark of each notebook's text, by its path; the notebook has it in its metadata, too.
-    """
-    texts = {}
+def write_contents(folder: Path) -> None:
+    """Write the notebooks, their links led to what a reader of the live book has."""
     for name in published():
         notebook = json.loads((FOLDER / name).read_text("utf-8"))
         for cell in notebook["cells"]:
             if cell["cell_type"] == "markdown":
                 cell["source"] = with_links("".join(cell["source"]), name)
-        texts[name] = notebook["metadata"][MARK] = mark(notebook["cells"])
         _write(folder / name, notebook)
     for path in pictures(folder):
         target = folder / path.relative_to(ROOT)
         target.parent.mkdir(exist_ok=True)
         shutil.copy(path, target)
-    return texts
-
-
-def mark(cells: Iterable[dict[str, Any]]) -> str:
-    """Return the mark of a notebook's text, as copies.js computes it: other text, other mark."""
-    parts = [part for cell in cells for part in (cell["cell_type"], "".join(cell["source"]))]
-    return f"{crc32(chr(0).join(parts).encode()):x}"
 
 
 def with_links(text: str, notebook: str) -> str:
@@ -147,12 +127,8 @@ def _tell(path: Path, about: dict[str, str]) -> None:
     """Put the site's script into a page, with what it must know."""
     data = "".join(f' data-{name}="{escape(value)}"' for name, value in about.items())
     text = path.read_text("utf-8")
-    if path.name == "index.html":
-        text = text.replace("<title>JupyterLite</title>", "<title>Drift Lab</title>")
-        text = text.replace("</head>", f"{HEAD}</head>", 1)
-        if text.count(BEGIN) != 1:
-            raise Unfinished("JupyterLite's page begins in another way than lite.py knows.")
-        text = text.replace(BEGIN, RENEW + BEGIN)
+    text = text.replace("<title>JupyterLite</title>", "<title>Drift Lab</title>")
+    text = text.replace("</head>", f"{HEAD}</head>", 1)
     path.write_text(text.replace("<html", f"<html{data}", 1), "utf-8")
 
 

@@ -1,22 +1,20 @@
 """The live book's own pyodide-lock.json: which packages a browser loads, from where, in what order.
 
 It begins as the official lock of the runtime, of which it keeps what the book needs; the site's own
-wheels come to it. Nothing is resolved in the browser: versions are checked here.
+wheels come to it. Nothing is resolved in the browser.
 """
 
 from __future__ import annotations
 
 import re
 import zipfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from email.parser import HeaderParser
 from pathlib import Path
 from typing import Any
 
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
-
-from unfinished import Unfinished
 
 from .brought import digest_of
 
@@ -75,24 +73,6 @@ def requirements(wheel: Path, python: str = "3.12.7") -> list[Requirement]:
     needs = map(Requirement, metadata.get_all("Requires-Dist") or [])
     where = {**BROWSER, "python_full_version": python, "python_version": python.rpartition(".")[0]}
     return [need for need in needs if need.marker is None or need.marker.evaluate(where)]
-
-
-def check(packages: Mapping[str, Any], wheels: Iterable[Path]) -> None:
-    """See that all that packages ask for is in the lock, in a version that will do."""
-    troubles = [
-        f"{name} needs {need}, which is not there"
-        for name, entry in packages.items()
-        for need in entry["depends"]
-        if canonicalize_name(need) not in packages
-    ]
-    for wheel in wheels:
-        for need in requirements(wheel):
-            entry = packages.get(canonicalize_name(need.name))
-            if entry is None or not need.specifier.contains(entry["version"], prereleases=True):
-                there = "not there" if entry is None else f"there in version {entry['version']}"
-                troubles.append(f"{wheel.name} needs {need}, which is {there}")
-    if troubles:
-        raise Unfinished("\n  ".join(["The live book would lack packages:", *troubles]))
 
 
 def _modules(wheel: Path) -> list[str]:

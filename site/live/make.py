@@ -8,7 +8,6 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from driftlab import __version__
 from unfinished import Unfinished
 
 from .brought import OFFICIAL, bring
@@ -27,15 +26,15 @@ def reason_not(build: Path = BUILD) -> str:
     """Bring what the live book needs; return a sentence if it cannot be made here, else nothing."""
     node = shutil.which("node")
     if node is None:
-        return "The book is not made live: that needs Node.js, which is not installed."
+        return "The site is not made: that needs Node.js, which is not installed."
     said = subprocess.run([node, "--version"], capture_output=True, encoding="utf-8").stdout
     number = re.match(r"v(\d+)", said)
     if number is None or int(number[1]) < NODE:
-        return f"The book is not made live: that needs Node.js {NODE}; this is {said.strip()}."
+        return f"The site is not made: that needs Node.js {NODE}; this is {said.strip()}."
     try:
         bring(build / "live")
     except Unfinished as trouble:
-        return f"The book is not made live: {trouble}"
+        return f"The site is not made: {trouble}"
     return ""
 
 
@@ -53,8 +52,6 @@ def make_live(build: Path, made: Path, distribution: Path | None) -> None:
     probe = lock["packages"][PROBE]["file_name"]
     megabytes = sum(path.stat().st_size for path in packages.iterdir()) / 1e6
     about = {
-        "version": __version__,
-        "storage": f"Drift Lab {__version__}",
         "megabytes": f"{megabytes + (0 if distribution else VERSIONS['pyodide']['megabytes']):.0f}",
         "probe": "" if distribution else probe,
     }

@@ -1,19 +1,13 @@
-"""The whole book live: chapters run to their end in JupyterLite, and a reader's work is kept.
+"""The whole book live: chapters run to their end in JupyterLite.
 
 Of the published site the page's fixture answers Pyodide's addresses with the same bytes.
 """
 
-import io
 import json
-import zipfile
-from base64 import b64encode
-from pathlib import Path
 from urllib.parse import quote
 
 import pytest
 from notebook_page import PATIENCE_WITH_A_CELL, answer
-
-from driftlab import __version__
 
 pytestmark = [pytest.mark.browser, pytest.mark.kernel, pytest.mark.xdist_group("site-live")]
 
@@ -37,28 +31,6 @@ RUN = """async () => {
   await window.jupyterapp.commands.execute("notebook:run-all-cells");
   return shown.content.widgets.map((cell) => cell.model.toJSON());
 }"""
-WRITE = """async (text) => {
-  const { widgets } = window.jupyterapp.shell.currentWidget.content;
-  widgets.find(({ model }) => model.type === "code").model.sharedModel.setSource(text);
-  await window.jupyterapp.commands.execute("docmanager:save");
-}"""
-PICTURE = b"\x89PNG\r\n\x00\xff\xc3"  # no text in any encoding that a page would guess
-OLD = """(picture) => new Promise((done) => {
-  const request = indexedDB.open("Drift Lab 0.0.1", 1);
-  request.onupgradeneeded = () => {
-    const files = request.result.createObjectStore("files");
-    const last_modified = "2026-01-01T00:00:00Z";
-    files.put({
-      path: "my_own.ipynb", type: "notebook", format: "json", last_modified,
-      content: { cells: [], nbformat: 4, nbformat_minor: 5, metadata: {} },
-    }, "my_own.ipynb");
-    files.put({
-      path: "Größe.png", type: "file", format: "base64", last_modified, content: picture,
-    }, "Größe.png");
-  };
-  request.onsuccess = () => { request.result.close(); done(); };
-})"""
-
 CLICK = """(target) => {
   const opened = [];
   window.open = (url) => opened.push(String(url));
@@ -163,62 +135,7 @@ def test_a_link_to_the_site_opens_nothing_else(target, opens, page, address):
     assert opened == ([f"{address}/{target}"] if opens else [])
 
 
-def test_work_is_kept_under_the_version_and_comes_home_in_a_zip(live, page, address):
-    live("03_systematic_drift.ipynb")
-    page.wait_for_function(
-        "window.jupyterapp?.shell?.currentWidget?.context?.isReady", timeout=LONG
-    )
-    answer(page, WRITE, "mine = 'Straße'")
-    answer(page, OLD, b64encode(PICTURE).decode())
-    names = page.evaluate("indexedDB.databases().then((all) => all.map(({ name }) => name))")
-    assert f"Drift Lab {__version__}" in names
-    page.on("dialog", lambda dialog: dialog.accept())  # "Leave the page?"
-    page.goto(f"{address}/live/my-work.html")
-    page.get_by_role("heading", level=2).first.wait_for()
-    titles = page.get_by_role("heading", level=2).all_inner_texts()
-    assert titles == [f"Drift Lab {__version__}", "Drift Lab 0.0.1"]
-    assert (
-        page.get_by_role("row", name="03_systematic_drift.ipynb")
-        .inner_text()
-        .count("1 cell changed")
-    )
-    with page.expect_download() as coming:
-        page.get_by_role("button", name=f"Download all of Drift Lab {__version__}").click()
-    assert coming.value.suggested_filename == f"Drift Lab {__version__}.zip"
-    with zipfile.ZipFile(io.BytesIO(Path(coming.value.path()).read_bytes())) as files:
-        assert files.testzip() is None
-        assert files.namelist() == ["03_systematic_drift.ipynb"]
-        notebook = json.loads(files.read("03_systematic_drift.ipynb"))
-    assert "mine = 'Straße'" in ["".join(cell["source"]) for cell in notebook["cells"]]
-    with page.expect_download() as coming:
-        page.get_by_role("button", name="Download my_own.ipynb").click()
-    assert json.loads(Path(coming.value.path()).read_text("utf-8"))["nbformat"] == 4
-    with page.expect_download() as coming:
-        page.get_by_role("button", name="Download Größe.png").click()
-    assert coming.value.suggested_filename == "Größe.png"
-    assert Path(coming.value.path()).read_bytes() == PICTURE
-    with page.expect_download() as coming:
-        page.get_by_role("button", name="Download all of Drift Lab 0.0.1").click()
-    with zipfile.ZipFile(coming.value.path()) as files:
-        assert files.testzip() is None
-        assert sorted(files.namelist()) == ["Größe.png", "my_own.ipynb"]
-        assert files.read("Größe.png") == PICTURE
-    for width in (390, 768, 1280):
-        page.set_viewport_size({"width": width, "height": 900})
-        assert page.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0, width
-    assert page.complaints == []
-
-
-def test_nothing_written_is_said_in_words(page, address):
-    page.goto(f"{address}/live/my-work.html")
-    page.get_by_text("Nothing yet.").wait_for()
-
-
 # ------------------------------------------------------------------ bad surroundings
-
-BLOCKED = """Object.defineProperty(window, "indexedDB", {
-  get() { throw new DOMException("blocked", "SecurityError"); },
-});"""
 
 
 def said(page, words):
@@ -243,11 +160,3 @@ def test_where_pyodides_packages_cannot_be_reached_a_sentence_says_so(live, page
     assert "Python cannot start: its packages come from" in said(
         page, "cannot be reached from here"
     )
-
-
-def test_where_nothing_can_be_kept_the_chapter_opens_and_a_sentence_says_so(live, page, address):
-    page.add_init_script(BLOCKED)
-    live("03_systematic_drift.ipynb")
-    assert said(page, "keeps nothing for the page")
-    page.goto(f"{address}/live/my-work.html")
-    page.get_by_text("so there is nothing to list").wait_for()

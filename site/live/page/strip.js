@@ -1,20 +1,19 @@
-// The strip above the notebook: what Python is doing, what this browser cannot do, where one's work
-// is kept; and links of the chapters that lead to pages of the site.
-import { behind, texts } from "./copies.js";
+// The strip above the notebook: what Python is doing, where one's work is kept, and the way to the
+// book's pages, to which links of the chapters lead, too.
 
-const about = document.documentElement.dataset; // version, megabytes, probe: written by lite.py
+const about = document.documentElement.dataset; // megabytes, probe: written by lite.py
 const STARTING = `Python is starting. The first time it fetches some ${about.megabytes} MB, a minute or more on a slow line; from then on it takes some seconds.`;
-const READY = `Python is ready. What you change is kept in this browser, for version ${about.version} of the book.`;
+const READY = "Python is ready. What you change is kept in this browser; to see the book's own text of a notebook again, delete your copy in the list of files.";
 const READ_ON = "The chapter can still be read, here and on its page.";
-const CHANGED = "The book's text of this notebook has changed since you began with it. What is yours stays; rename it in the list of files, and the new one opens.";
+const CHAPTER = /^(solutions\/)?\d\d_\w+/; // whatever a reader has put behind the name of a copy
 
 const site = new URL("../../", document.baseURI);
 const strip = document.createElement("header");
 const says = document.createElement("p");
 says.setAttribute("role", "status");
 const page = document.createElement("a");
-leadToPageOf(opened());
-strip.append(page, says, link("My work", new URL("../my-work.html", document.baseURI)));
+leadToPageOf(new URLSearchParams(location.search).get("path") ?? "");
+strip.append(page, says);
 strip.id = "strip";
 document.body.prepend(strip);
 new ResizeObserver(() => {
@@ -33,92 +32,39 @@ addEventListener("click", (event) => {
   }
 }, { capture: true });
 
-const troubles = await whatIsMissing();
-say(...(troubles.length ? [...troubles, READ_ON] : [STARTING]), ...newsOf(opened()));
-if (!troubles.some((trouble) => trouble.startsWith("Python"))) follow(await application());
+const trouble = await whatIsMissing();
+says.textContent = trouble ? `${trouble} ${READ_ON}` : STARTING;
+const look = setInterval(() => {
+  if (!window.jupyterapp) return;
+  clearInterval(look);
+  follow(window.jupyterapp);
+}, 100);
 
-// The notebook that the link to this page names, whoever wrote the link.
-function opened() {
-  return new URLSearchParams(location.search).get("path") ?? "";
-}
-
-// A copy of a chapter, whatever a reader has put behind its name, has the chapter's page.
 function leadToPageOf(path) {
-  const names = Object.keys(texts).map((name) => name.slice(0, -".ipynb".length));
-  const chapter = names.filter((name) => path.startsWith(name)).sort().at(-1); // the longest
+  const chapter = CHAPTER.exec(path)?.[0];
   page.textContent = chapter ? "Chapter's page" : "The book's pages";
   page.href = new URL(`${chapter ?? "index"}.html`, site);
 }
 
-function newsOf(path) {
-  return behind.has(path) ? [CHANGED] : [];
-}
-
-function link(text, target) {
-  return Object.assign(document.createElement("a"), { textContent: text, href: target });
-}
-
-function say(...sentences) {
-  says.textContent = sentences.join(" ");
-}
-
 async function whatIsMissing() {
-  const found = [];
   if (typeof WebAssembly !== "object" || typeof Worker !== "function") {
-    found.push("Python cannot run: this browser has no WebAssembly, or it is switched off.");
-  } else if (about.probe && !(await fetch(about.probe).catch(() => false))) {
-    found.push(`Python cannot start: its packages come from ${new URL(about.probe).host}, which cannot be reached from here.`);
+    return "Python cannot run: this browser has no WebAssembly, or it is switched off.";
   }
-  if (!(await mayKeep())) {
-    found.push("This browser keeps nothing for the page: what you write is gone when you close it, so download it before (File, Download).");
-  }
-  return found;
-}
-
-function mayKeep() {
-  return new Promise((answer) => {
-    const name = "Drift Lab: may it be kept?";
-    try {
-      const request = indexedDB.open(name);
-      request.onerror = () => answer(false);
-      request.onsuccess = () => {
-        request.result.close();
-        indexedDB.deleteDatabase(name);
-        answer(true);
-      };
-    } catch {
-      answer(false);
-    }
-  });
-}
-
-function application() {
-  return new Promise((resolve) => {
-    const look = setInterval(() => {
-      if (window.jupyterapp) {
-        clearInterval(look);
-        resolve(window.jupyterapp);
-      }
-    }, 100);
-  });
+  if (!about.probe || (await fetch(about.probe).catch(() => false))) return "";
+  return `Python cannot start: its packages come from ${new URL(about.probe).host}, which cannot be reached from here.`;
 }
 
 async function follow(app) {
   await app.restored;
   fold(app.shell);
   const look = async () => {
-    const shown = app.shell.currentWidget?.context;
     const session = app.shell.currentWidget?.sessionContext;
-    if (!session) return;
-    const path = shown?.path ?? ""; // a console has none
-    leadToPageOf(path);
-    say(...troubles, STARTING, ...newsOf(path));
+    if (!session || trouble) return;
+    leadToPageOf(app.shell.currentWidget.context?.path ?? ""); // a console has none
+    says.textContent = STARTING;
     await session.ready;
     await session.session?.kernel?.info;
-    if (app.shell.currentWidget?.sessionContext === session) {
-      const ready = troubles.length ? ["Python is ready.", ...troubles] : [READY];
-      say(...ready, ...newsOf(path));
-    }
+    if (app.shell.currentWidget?.sessionContext === session) says.textContent = READY;
   };
   app.shell.currentChanged.connect(look);
   look();
