@@ -2,11 +2,10 @@
 // if it fails.
 import { make } from "./elements.js";
 import { ask, stop } from "./python.js";
-import { Progress } from "./waiting.js";
 
 export class Asking {
-  #progress = new Progress();
-  root = make("p", { className: "answer-says" }, ...this.#progress.parts);
+  #words = make("span", { role: "status" });
+  root = make("p", { className: "answer-says" }, this.#words);
   stop = make("button", { type: "button", textContent: "Stop", hidden: true });
 
   constructor(kept = "") {
@@ -17,7 +16,7 @@ export class Asking {
   }
 
   say(words) {
-    this.#progress.say(words);
+    if (this.#words.textContent !== words) this.#words.textContent = words;
   }
 
   // The result, or null if there is none; then the sentence stands in the page.
@@ -34,7 +33,6 @@ export class Asking {
       return null;
     } finally {
       this.stop.hidden = true;
-      this.#progress.end();
     }
   }
 
@@ -42,7 +40,8 @@ export class Asking {
   async #withPackages(call, args) {
     let packages = [];
     for (;;) {
-      const result = await ask(call, args, { onProgress: this.#progress.show, packages });
+      const onProgress = (says) => this.say(`${says} …`);
+      const result = await ask(call, args, { onProgress, packages });
       if (!result?.needs) return result;
       if (packages.includes(result.needs)) throw new Error(`${result.needs} could not be loaded.`);
       packages = [result.needs];

@@ -1,56 +1,85 @@
-// What every page loads, a classic script that works from a file too. It is written in the JavaScript
-// of 2009, so that an old browser reads it and can be told that it is old; the rest, from offer.js on,
-// is for current ones.
+// What every page loads, a classic script that works from a file too. A panel or scene has a button,
+// whose first click fetches the modules and Python; the forms of exercises and guesses come at once,
+// and Python when it is asked something. Whatever is in the way is one sentence.
 
-(function () {
-  "use strict";
-  var here = document.querySelector('script[src*="in_place/begin.js"]').src.replace(/[^\/]*$/, "");
-  // Where something would come alive, as offer.js has it.
-  var PLACES = [
-    "figure.driftlab-still[data-panel]", "div.exercise[data-exercise]", "div.guess[data-guess]"
+(() => {
+  const HERE = new URL(".", document.currentScript.src).href;
+  const PANELS = "figure.driftlab-still[data-panel]";
+  const FORMS = [
+    ["div.exercise[data-exercise]", "exercises.js"],
+    ["div.guess[data-guess]", "guesses.js"],
   ];
-  var TOO_OLD =
-    "What lives in the page needs a newer browser: a current Firefox, Chrome, Edge or Safari will " +
-    "do. The text and the pictures need nothing of it.";
-  var NOT_THERE =
+  const FROM_FILE =
+    "What lives in the page needs a web server, and this page was opened as a file. In the " +
+    "site's folder, say ";
+  const COMMAND = "python3 -m http.server";
+  const NOT_FETCHED =
     "What lives in the page could not be fetched; is the network away? The text and the pictures " +
     "need nothing of it.";
 
-  function isCurrent() {
-    try { // each of these stands in a script of this folder
-      new Function("async () => { await import(''); a?.b ?? (c ??= [1].at(-1)); }; class A { #b = 1; }");
-      return !!([].at && window.ResizeObserver);
-    } catch (error) {
-      return false;
-    }
-  }
+  const make = (kind, properties, ...inside) => {
+    const element = Object.assign(document.createElement(kind), properties);
+    element.append(...inside);
+    return element;
+  };
 
-  // One sentence where a reader meets the first panel, the first exercise and the first puzzle.
-  function refuse(words) {
-    for (var i = 0; i < PLACES.length; i += 1) {
-      var place = document.querySelector(PLACES[i]);
-      if (place) {
-        var note = document.createElement("p");
-        note.className = "in-place-note";
-        note.setAttribute("role", "status");
-        note.appendChild(document.createTextNode(words));
-        place.appendChild(note);
+  document.head.append(make("link", { rel: "stylesheet", href: `${HERE}in_place.css` }));
+
+  const fromFile = location.protocol === "file:";
+  const fetchModule = (name) =>
+    fromFile
+      ? Promise.reject(new Error(FROM_FILE))
+      : import(HERE + name).catch((error) => {
+          console.info(error);
+          throw new Error(NOT_FETCHED);
+        });
+
+  const refuse = (note, error) => {
+    note.textContent = error.message;
+    if (error.message === FROM_FILE) {
+      note.append(make("code", {}, COMMAND), " and open the address that it names.");
+    }
+  };
+
+  // A button below the still. The panel in its place takes it away, and Stop brings it back.
+  function offer(figure) {
+    const button = make("button", { type: "button", className: "in-place-begin" }, "Move it here");
+    const note = make("p", { className: "in-place-note" });
+    note.setAttribute("role", "status");
+    const offered = make("div", { className: "in-place-offer" }, button, note);
+    button.addEventListener("click", async () => {
+      button.disabled = true;
+      note.textContent = "";
+      try {
+        const panels = await fetchModule("panels.js");
+        await panels.begin(figure, offered);
+      } catch (error) {
+        refuse(note, error);
       }
+      button.disabled = false;
+    });
+    const caption = figure.querySelector("figcaption");
+    if (caption) caption.textContent = "This is how it stood when the chapter was run.";
+    figure.append(offered);
+  }
+
+  async function fill(selector, name) {
+    const first = document.querySelector(selector);
+    if (!first) return;
+    try {
+      await (await fetchModule(name)).begin();
+    } catch (error) {
+      const note = make("p", { className: "in-place-note" });
+      refuse(note, error);
+      first.append(note);
     }
   }
 
-  var style = document.createElement("link");
-  style.rel = "stylesheet";
-  style.href = here + "in_place.css";
-  document.head.appendChild(style);
-  if (isCurrent()) {
-    var script = document.createElement("script");
-    script.src = here + "offer.js";
-    script.onerror = function () { refuse(NOT_THERE); };
-    document.head.appendChild(script);
-  } else if (document.readyState === "loading") {
-    document.addEventListener("DOMContentLoaded", function () { refuse(TOO_OLD); });
-  } else {
-    refuse(TOO_OLD);
+  function begin() {
+    document.querySelectorAll(PANELS).forEach(offer);
+    for (const [selector, name] of FORMS) fill(selector, name);
   }
+
+  if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", begin);
+  else begin();
 })();

@@ -32,7 +32,11 @@ class Exercise {
     place.replaceChildren(this.form.root, this.asking.root, this.printed, this.card);
     this.form.onTyped = (typed) => this.#keep({ typed });
     this.form.onAnswer = (answer) => this.check(answer);
-    this.#restore();
+    try {
+      this.#restore();
+    } catch {
+      // What is kept was written by hand, or elsewhere.
+    }
   }
 
   get mine() {

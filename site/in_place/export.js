@@ -30,7 +30,7 @@ export class End {
   // Numbers of exercises, and what is kept of them.
   get answered() {
     const mine = this.kept.of("exercises");
-    return this.numbers.filter((number) => mine[number]?.cell).map((n) => [n, mine[n]]);
+    return this.numbers.filter((number) => typeof mine[number]?.cell === "string").map((n) => [n, mine[n]]);
   }
 
   tell() {

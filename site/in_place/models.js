@@ -91,19 +91,8 @@ export class Conversation {
     this.#go();
   }
 
-  // Move to the values of a link, all at once.
-  goTo(link) {
-    this.link = link;
-    this.#go();
-  }
-
   #next() {
     if (this.#ended) return null;
-    if (this.link) {
-      const call = ["panels.set", [this.number, this.link]];
-      this.link = null;
-      return call;
-    }
     if (!this.#changes.size && !this.#messages.length) return null;
     const call = ["panels.move", [this.number, [...this.#changes.values()], this.#messages]];
     this.#changes.clear();
@@ -116,8 +105,8 @@ export class Conversation {
     this.#ended = true;
   }
 
-  // What is refused, as a link may be, keeps nothing else from being sent; it is told at the end,
-  // when nothing is said of computing any more.
+  // What fails keeps nothing else from being sent; it is told at the end, when nothing is said of
+  // computing any more.
   async #go() {
     if (this.#going) return;
     this.#going = true;

@@ -27,24 +27,18 @@ OPEN: list[Explorer] = []
 
 
 def open(
-    name: str, values: Mapping[str, Any], link: Mapping[str, str] | None = None, ratio: float = 1.0
+    name: str, values: Mapping[str, Any], now: Mapping[str, Any], ratio: float = 1.0
 ) -> dict[str, Any]:
-    """Open a panel as it stands in the chapter, then move it to the values of a link, all as text.
+    """Open a panel as it stands in the chapter, then move it to the values that it had last.
 
-    Return its number, title, widgets and values, and what is wrong with the link.
+    Return its number, title, widgets and values.
     """
     panel_class = getattr(driftlab.book, name)  # of its chapter alone, which takes less time
     panel = panel_class(_preset(panel_class, values))
     panel.page.ratio = ratio
     panel.paper.layout.display = "none"  # how to save by a line of Python; here it is a button
-    if plain_values(panel.values) != values:
-        panel.set(**_given(panel_class, values))
-    refused = ""
-    if link:
-        try:
-            panel.set(**_read(panel_class, link))
-        except ValueError as error:
-            refused = f"This link does not fit the panel. {error}"
+    if plain_values(panel.values) != now:
+        panel.set(**_given(panel_class, now))
     OPEN.append(panel)
     taken()
     return {
@@ -52,7 +46,6 @@ def open(
         "title": panel.title,
         "widget": panel.described(),
         "values": plain_values(panel.values),
-        "refused": refused,
     }
 
 
@@ -71,14 +64,6 @@ def move(
     for identifier, message in messages:
         with _shown_in(explorer):
             WIDGETS[identifier].received(message)
-    return _news(explorer)
-
-
-def set(panel: int, link: Mapping[str, str]) -> dict[str, Any]:
-    """Move a panel to the values of a link; ValueError if they do not fit it."""
-    explorer = OPEN[panel]
-    with _shown_in(explorer):
-        explorer.set(**_read(type(explorer), link))
     return _news(explorer)
 
 
@@ -125,25 +110,3 @@ def _like(control: Control, value: Any) -> Any:
     if isinstance(control.start, float):
         value = float(value)
     return next((option for option in control.options if option == value), value)
-
-
-def _read(panel_class: type[Explorer], link: Mapping[str, str]) -> dict[str, Any]:
-    """Values from the text of a link; ValueError if they do not fit the panel."""
-    controls = {control.name: control for control in panel_class.controls}
-    # Here, since `set(**values)` takes some names, like self, for something else.
-    for name in link:
-        if name not in controls:
-            raise ValueError(f"values: expected names from {', '.join(controls)}, got {name}.")
-    values: dict[str, Any] = {}
-    for name, text in link.items():
-        control = controls[name]
-        if isinstance(control.start, str):
-            values[name] = text
-        elif control.is_box:
-            values[name] = {"true": True, "false": False}.get(text, text)
-        else:
-            try:
-                values[name] = type(control.start)(text)
-            except ValueError:
-                raise ValueError(f"{name}: expected a number, got {text!r}.") from None
-    return _given(panel_class, values)

@@ -34,7 +34,7 @@ const watchers = new Set();
 
 // Call "module.function" of a Python file in this folder with plain arguments.
 // packages: names in the lock that the call needs besides the book's package.
-// onProgress: told {loaded, total, says} while something is fetched.
+// onProgress: told what is being done while something is fetched.
 export function ask(call, args = [], { onProgress, packages = [] } = {}) {
   return new Promise((resolve, reject) => {
     const request = { id: ++count, call, args, packages, onProgress, resolve, reject };

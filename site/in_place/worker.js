@@ -3,30 +3,48 @@
 //
 // In:  {id, call: "panels.open", args: [...], packages: ["sympy"]}
 // Out: {id, result} or {id, error: {kind, says, trace, ends}}; `ends` if this worker is of no use any
-//      more. And while things are fetched
-//      {progress: {loaded, total, says}}, in bytes; total is 0 as long as it is not known.
+//      more. And {progress: "Fetching Python"}: what is being done.
 // Arguments and results are plain data: numbers, text, lists, objects, and bytes as Uint8Array.
-
-import { countFetches } from "./fetches.js";
 
 const HERE = new URL(".", import.meta.url).href;
 const RUNTIME = new URL("../live/static/pyodide/", HERE).href;
 const FOLDER = "/in_place"; // of the Python files, in the file system that Python sees
 
-const fetches = countFetches((progress) => postMessage({ progress }));
+const say = (progress) => postMessage({ progress });
 const modules = new Map(); // name -> promise that it lies in FOLDER
 let python;
 let begun = false;
+let failed = ""; // the first address of which nothing came
+
+const fetched = globalThis.fetch.bind(globalThis);
+globalThis.fetch = async (request, options) => {
+  const response = await fetched(request, options).catch(() => Response.error());
+  if (!response.ok) failed ||= request.url ?? String(request);
+  return response;
+};
+
+// Do something for which things are fetched. If one of them did not come, that is why it fails: of
+// what follows from it nothing is said, and Pyodide would go on without it.
+async function fetching(work) {
+  failed = "";
+  const done = await work().catch((error) => {
+    if (!failed) throw error;
+  });
+  if (!failed) return done;
+  const { host, pathname } = new URL(failed, HERE);
+  const says = `${pathname.split("/").at(-1)} could not be fetched from ${host}. Are you offline, or ` +
+    "is that place closed to your network? The text and the pictures need nothing of it.";
+  throw Object.assign(new Error(says), { kind: "NotFetched" });
+}
 
 async function start() {
-  fetches.say("Fetching Python and the book's package");
-  const py = await fetches.during(begin);
+  say("Fetching Python and the book's package; the first time that is some 50 MB");
+  const py = await fetching(begin);
   begun = true;
   return py;
 }
 
 async function begin() {
-  await fetches.expect(RUNTIME, ["driftlab"]);
   const { loadPyodide } = await import(`${RUNTIME}pyodide.mjs`);
   const py = await loadPyodide({
     indexURL: RUNTIME,
@@ -35,7 +53,7 @@ async function begin() {
     stdout: () => {},
     stderr: (line) => console.info(line),
   });
-  fetches.say("Starting the book's package");
+  say("Starting the book's package");
   py.FS.mkdir(FOLDER);
   py.runPython(`import sys; sys.path.insert(0, "${FOLDER}")`);
   await write(py, "widgets_standin");
@@ -46,7 +64,7 @@ async function begin() {
 // Put a Python file from beside this script where Python finds it.
 function bring(py, name) {
   if (!modules.has(name)) {
-    const written = fetches.during(() => write(py, name));
+    const written = fetching(() => write(py, name));
     written.catch(() => modules.delete(name)); // it may be tried again
     modules.set(name, written);
   }
@@ -63,12 +81,9 @@ async function answer({ call, args = [], packages = [] }) {
   const py = await python;
   const missing = packages.filter((name) => !(name in py.loadedPackages));
   if (missing.length) {
-    fetches.say(`Fetching ${missing.join(", ")}`);
-    await fetches.during(async () => {
-      await fetches.expect(RUNTIME, missing, Object.keys(py.loadedPackages));
-      await py.loadPackage(missing, { messageCallback() {}, errorCallback() {} });
-    });
-    fetches.say("Computing");
+    say(`Fetching ${missing.join(", ")}`);
+    await fetching(() => py.loadPackage(missing, { messageCallback() {}, errorCallback() {} }));
+    say("Computing");
   }
   const [module, name] = call.split(".");
   await bring(py, module);

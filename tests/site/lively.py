@@ -21,11 +21,11 @@ def figure_of(page, panel_class: type[Explorer], number: int = 0):
     return page.locator(f"figure[data-panel={panel_class.__name__}]").nth(number)
 
 
-def show(page, address: str, *panels: Explorer, link: str = "") -> None:
+def show(page, address: str, *panels: Explorer) -> None:
     """Go to a page with some panels, each as it stands."""
     name = f"{address}/panels-in-their-place.html"
     page.route(name, lambda route: route.fulfill(body=page_of(panels), content_type="text/html"))
-    page.goto(f"{name}{link}")
+    page.goto(name)
 
 
 def awaken(page, figure) -> None:
