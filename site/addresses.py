@@ -23,11 +23,6 @@ def live_address(notebook: str) -> str:
     return f"live/lab/index.html?path={notebook}"
 
 
-def colab_address(notebook: str) -> str:
-    """Return where the copy of a notebook for Colab stands."""
-    return f"colab/{notebook}"
-
-
 def file_of(path: str, notebook: str) -> str:
     """Return the file of the project that a link means, seen from the project's folder.
 

@@ -1,9 +1,9 @@
 """Builds the site: ``python3 lab.py site`` runs this in an environment that has Sphinx.
 
 The book is executed (`executed`), and from that come its pages (`reading`) and its PDF (`pdf`).
-Beside the pages lie what makes them alive (`in_place`), the whole book live (`live`), which brings
-Python for both, and copies for Colab (`colab`). One page names the `licences` of it all. Everything
-is made in build/site and moved to ``_site`` when it is whole.
+Beside the pages lie what makes them alive (`in_place`) and the whole book live (`live`), which
+brings Python for both. One page names the `licences` of it all. Everything is made in build/site
+and moved to ``_site`` when it is whole.
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ from __future__ import annotations
 import argparse
 import shutil
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from addresses import PDF
-from colab import make_colab
-from executed import FOLDER, executed, published
+from executed import executed, published
 from forms import write_forms
 from licences import write_licences
 from live.make import make_live, reason_not
@@ -50,27 +50,21 @@ def main(arguments: list[str]) -> int:
 def make_site(made: Path, distribution: Path | None) -> None:
     """Make the whole site in a folder, which is not there yet.
 
-    Without Node.js, or without a network at the first build, the pages are made all the same; they
-    do not move then, and a sentence is printed. With Pyodide's `distribution` the site needs no
-    network.
+    With Pyodide's `distribution` the site needs no network.
     """
     if distribution and not distribution.is_dir():
         raise Unfinished(f"--self-contained: expected a folder, got {distribution}.")
-    reason = reason_not()
-    if reason and distribution:
+    if reason := reason_not():
         raise Unfinished(reason)
-    if reason:
-        print(reason, file=sys.stderr)
-    beside = {"colab", "pdf"} if reason else {"colab", "pdf", "in_place", "live"}
-    notebooks = executed(published())
-    pdf = BUILD / PDF  # first, for the pages say how large it is
-    make_pdf(notebooks, BUILD, pdf)
-    make_reading(notebooks, BUILD, made, beside, pdf.stat().st_size)
-    shutil.move(pdf, made / PDF)
-    make_colab(FOLDER, made / "colab")
-    if not reason:
-        make_in_place(made / "in_place")
-        make_live(BUILD, made, distribution)
+    with ThreadPoolExecutor(1) as at_once:  # what takes long of it are other programs
+        live = at_once.submit(make_live, BUILD, made, distribution)
+        notebooks = executed(published())
+        pdf = BUILD / PDF  # first, for the pages say how large it is
+        make_pdf(notebooks, BUILD, pdf)
+        make_reading(notebooks, BUILD, made, pdf.stat().st_size)
+        shutil.move(pdf, made / PDF)
+        live.result()
+    make_in_place(made / "in_place")
     write_licences(made)
 
 

@@ -9,7 +9,6 @@ import json
 import re
 import shutil
 import tomllib
-from collections import Counter
 from collections.abc import Iterable
 from html import escape
 from importlib.metadata import distribution
@@ -29,27 +28,19 @@ JUPYTER = "live/build/third-party-licenses.json"
 FRAME = """\
 <!DOCTYPE html>
 <html lang="en">
-<head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<link rel="icon" href="_static/favicon.svg">
 <title>Licences &middot; Drift Lab</title>
 <style>
 :root {{ color-scheme: light dark; }}
 body {{ max-width: 46rem; margin: 2rem auto; padding: 0 1rem; }}
 body {{ font: 1rem/1.6 system-ui, sans-serif; overflow-wrap: anywhere; }}
-table {{ width: 100%; border-collapse: collapse; }}
-th, td {{ padding: 0.3rem 0.8rem 0.3rem 0; border-bottom: 1px solid #8885; text-align: left; }}
-th {{ overflow-wrap: normal; }}
+th, td {{ padding-right: 1rem; text-align: left; }}
 pre {{ white-space: pre-wrap; font-size: 0.85rem; }}
 </style>
-</head>
-<body>
 <p><a href="index.html">Drift Lab</a></p>
 <h1>Licences</h1>
 {}
-</body>
-</html>
 """
 
 
@@ -58,8 +49,7 @@ def write_licences(made: Path) -> None:
     shutil.copytree(ROOT / "LICENSES", made / TEXTS)
     parts = [*_own(), *_pages(made), "<h2>Fonts in the PDF</h2>"]
     parts += [_table(("Font", "Licence"), KNOWN["fonts"].items())]
-    if (made / LOCK).exists():
-        parts += [*_python(json.loads((made / LOCK).read_text("utf-8"))), *_jupyter(made)]
+    parts += [*_python(json.loads((made / LOCK).read_text("utf-8"))), *_jupyter()]
     (made / PAGE).write_text(FRAME.format("\n".join(parts)), "utf-8")
 
 
@@ -119,15 +109,11 @@ def _python(lock: dict[str, Any]) -> Iterable[str]:
     yield _table(("Name", "Version", "Licence"), ([escape(cell) for cell in row] for row in rows))
 
 
-def _jupyter(made: Path) -> Iterable[str]:
-    packages = json.loads((made / JUPYTER).read_text("utf-8"))["packages"]
-    counts = Counter(package["licenseId"] or "its own" for package in packages)
+def _jupyter() -> Iterable[str]:
     version = escape(distribution("jupyterlite-core").version)
     yield "<h2>JupyterLab in the live book</h2>"
-    yield f"<p>JupyterLite {version}, BSD-3-Clause, with {len(packages)} packages of JavaScript: "
+    yield f"<p>JupyterLite {version}, BSD-3-Clause, with packages of JavaScript: "
     yield f"{_link(JUPYTER, 'the licence of each, in full')}.</p>"
-    rows = ((escape(name), str(count)) for name, count in counts.most_common())
-    yield _table(("Licence", "Packages"), rows)
 
 
 def _table(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:

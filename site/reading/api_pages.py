@@ -6,14 +6,10 @@ import ast
 import inspect
 import re
 from collections.abc import Iterator
-from contextlib import redirect_stdout, suppress
 from functools import cache
 from importlib import import_module
-from io import StringIO
 
 from driftlab.__main__ import SUBJECTS
-from driftlab.commands import COMMANDS
-from driftlab.commands.line import parser
 from reading.doors import BOOK, Module, Name, book, documented, first_door, modules, thing
 
 LONGEST_VALUE = 90
@@ -30,12 +26,11 @@ TITLES = {
     "book": "The book's doors",
 }
 GROUND = "What all subjects stand on: vectors, quaternions, the Earth, axes, triads, units."
-COMMANDS_PAGE = "reference/commands"
 
 
 def api_pages() -> dict[str, str]:
     """Return the text of each page by its name without ending."""
-    pages = {"reference/index": _index(), COMMANDS_PAGE: _commands()}
+    pages = {"reference/index": _index()}
     for subject in ("", *(subject for subject in SUBJECTS if subject != "book")):
         pages[subject_page(subject)] = _subject(subject)
         pages |= {module_page(module): _module(module) for module in modules(subject)}
@@ -58,7 +53,6 @@ def module_title(module: Module) -> str:
 
 def _index() -> str:
     subjects = [subject_page(subject).rpartition("/")[2] for subject in TITLES]
-    listed = [*subjects[:-2], "commands", subjects[-2]]
     return "\n".join(
         [
             *_heading("API reference", "="),
@@ -75,7 +69,7 @@ def _index() -> str:
             "",
             *_list(first_door()),
             *_heading("By subject", "-"),
-            *_toctree(listed, depth=2),
+            *_toctree(subjects[:-1], depth=2),
             *_heading("The book itself", "-"),
             "Panels, scenes and experiments of the chapters, for who goes on with them.",
             "",
@@ -182,27 +176,6 @@ def _assignment(name: str) -> ast.Assign | ast.AnnAssign | None:
 @cache
 def _source(module: str) -> ast.Module:
     return ast.parse(inspect.getsource(import_module(module)))
-
-
-def _commands() -> str:
-    lines = [
-        *_heading("Commands", "="),
-        "For a log of your own, in a terminal. Each prints a table with deviations; nothing "
-        "leaves your computer.",
-        "",
-    ]
-    for command, purpose in COMMANDS.items():
-        shown = [f"   {line}".rstrip() for line in _help(command).split("\n")]
-        lines += [*_heading(f"python -m driftlab {command}", "-"), f"{purpose.capitalize()}."]
-        lines += ["", ".. code-block:: text", "", *shown, ""]
-    return "\n".join(lines)
-
-
-def _help(command: str) -> str:
-    """What ``python -m driftlab COMMAND --help`` prints."""
-    with redirect_stdout(StringIO()) as printed, suppress(SystemExit):
-        parser(command).parse_args([command, "--help"])
-    return printed.getvalue()
 
 
 def plain_bars(lines: list[str]) -> list[str]:

@@ -14,13 +14,11 @@ version = release = driftlab.__version__
 extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
-    "sphinx.ext.viewcode",
     "numpydoc",
     "myst_nb",
     "sphinx_copybutton",
     "reading.extension",
 ]
-nitpicky = True  # a link that leads nowhere is a warning, and a warning an error
 default_role = "py:obj"
 
 autodoc_member_order = "bysource"
@@ -48,7 +46,7 @@ html_title = "Drift Lab"
 html_static_path = ["_static"]
 html_favicon = "_static/favicon.svg"
 html_css_files = ["site.css", "chapters.css"]
-html_js_files = [(name, {"defer": "defer"}) for name in ("solutions.js", "previews.js")]
+html_js_files = [("../in_place/begin.js", {"defer": "defer"})]
 html_search_scorer = str(Path(__file__).with_name("search_order.js"))
 html_copy_source = False
 html_show_sourcelink = False

@@ -1,13 +1,12 @@
 """Makes the reading version: pages are written to build/site/source, Sphinx makes HTML of them.
 
-A warning is an error, and so is anything that a page would fetch from elsewhere.
+A warning is an error.
 """
 
 from __future__ import annotations
 
 import re
 import shutil
-from collections.abc import Collection
 from importlib.resources import files
 from pathlib import Path
 
@@ -16,25 +15,19 @@ from sphinx.cmd.build import main as sphinx
 
 from addresses import DOCS, PAGES, file_of
 from reading.api_pages import api_pages
+from reading.landing import script_of_landing, still_of_landing
 from reading.links import with_links
 from reading.notebook_pages import NotebookPages, notebook_pages
+from reading.outputs import Outputs
 from reading.overview import chapters_page, text_of
 from reading.papers import ledger_pages
 from reading.parts import chapters, contents, parts
-from requests_of import requests_of
 from unfinished import Unfinished
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-LANDING = HERE.parent / "landing"  # the moving picture of the first page
 GALLERY = "All figures of the book. The numbers behind a figure are in the CSV beside its caption."
 SOLUTIONS = "Worked solutions of the exercises, chapter by chapter. Try an exercise first."
-IN_PLACE = "in_place/begin.js"
-"""The script that makes panels, scenes and exercises live in the page."""
-LIVE_ONLY = re.compile(r"^% live\n(.*?)^% end\n", re.M | re.S)
-"""What the first page says of the live book alone."""
-PDF_SIZE = "{size}"
-"""Where the first page says how large the PDF is."""
 WHOLE_LINK = re.compile(r"\[([^\]]*)\]\((?!https?:)([^)#\s]+)[^)\s]*\)")
 """A link in Markdown to something of the project: its words and its file."""
 MATHJAX = ("tex-chtml.js", "input/tex/extensions", "output/chtml/fonts")
@@ -42,35 +35,21 @@ MATHJAX = ("tex-chtml.js", "input/tex/extensions", "output/chtml/fonts")
 
 
 def make_reading(
-    notebooks: dict[str, NotebookNode],
-    build: Path,
-    made: Path,
-    beside: Collection[str] = (),
-    pdf_size: int = 0,
+    notebooks: dict[str, NotebookNode], build: Path, made: Path, pdf_size: int
 ) -> None:
-    """Make the pages.
-
-    They lead to what else the site will have `beside` them ("live", "colab", "pdf", "in_place"),
-    and the first page says the size of the PDF, in bytes.
-    """
+    """Make the pages; the first one says the size of the PDF, in bytes."""
     source = build / "source"
     trees = build / "doctrees"  # made anew: kept ones would still know where labels were
     for folder in (source, trees):
         shutil.rmtree(folder, ignore_errors=True)
-    book = notebook_pages(notebooks, chapters(ROOT), beside)
-    write_source(source, book, "live" in beside, pdf_size)
+    write_source(source, notebook_pages(notebooks, chapters(ROOT)), pdf_size)
     options = ["-W", "--keep-going", "-q", "-b", "html", "-d", str(trees)]
-    if "in_place" in beside:
-        options += ["-D", f"scripts={IN_PLACE}"]
     if sphinx([*options, str(source), str(made)]):
         raise Unfinished("Sphinx warned; its messages above tell of what.")
-    shutil.copytree(LANDING, made / LANDING.name)
-    if elsewhere := requests_of(made):
-        raise Unfinished("\n  ".join(["Pages would fetch from elsewhere:", *elsewhere]))
 
 
-def write_source(source: Path, book: NotebookPages, live: bool, pdf_size: int) -> None:
-    """Write what Sphinx reads, of a site with or without the live book."""
+def write_source(source: Path, book: NotebookPages, pdf_size: int) -> None:
+    """Write what Sphinx reads."""
     shutil.copytree(HERE / "_static", source / "_static")
     for part in MATHJAX:
         _copy(
@@ -79,16 +58,17 @@ def write_source(source: Path, book: NotebookPages, live: bool, pdf_size: int) -
         )
     for name in ("conf.py", "search_order.js"):
         shutil.copy(HERE / name, source)
-    for name, text in (book.texts | pages(book, live, pdf_size)).items():
+    for name, text in (book.texts | pages(book, pdf_size)).items():
         path = source / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, "utf-8")
+    (source / "_static/landing.js").write_text(script_of_landing(), "utf-8")
     book.pictures.write(source)
     for path in sorted((ROOT / "figures").glob("*.[cs][sv][vg]")):
         shutil.copy(path, source / "gallery")
 
 
-def pages(book: NotebookPages, live: bool, pdf_size: int) -> dict[str, str]:
+def pages(book: NotebookPages, pdf_size: int) -> dict[str, str]:
     """Return the text of every page that is no notebook, by its file's name."""
     found = {f"{name}.rst": text for name, text in api_pages().items()}
     found |= {f"{name}.md": text for name, text in ledger_pages().items()}
@@ -98,13 +78,14 @@ def pages(book: NotebookPages, live: bool, pdf_size: int) -> dict[str, str]:
     found["chapters.md"] = chapters_page(ROOT)
     found["glossary.md"] = f"# Notation and glossary\n\n{notation}"
     found["errata.md"] = (ROOT / "ERRATA.md").read_text("utf-8")
-    found["gallery/index.md"] = _gallery(book.figures)
+    found["gallery/index.md"] = _gallery()
     found["changes.md"] = (ROOT / "CHANGELOG.md").read_text("utf-8")
     found |= {f"{name}.md": docs_page(name) for name in DOCS}
     solved = sorted(Path(name).stem for name in book.texts if name.startswith("solutions/"))
     found["solutions/index.md"] = f"# Solutions\n\n{SOLUTIONS}\n{contents(solved)}"
-    front = LIVE_ONLY.sub(r"\1" if live else "", (HERE / "index.md").read_text("utf-8"))
-    found["index.md"] = front.replace(PDF_SIZE, f"{pdf_size / 1e6:.0f} MB") + _contents()
+    front = (HERE / "index.md").read_text("utf-8")
+    front = front.replace("{landing}", still_of_landing(Outputs(book.pictures, "index", "")))
+    found["index.md"] = front.replace("{size}", f"{pdf_size / 1e6:.0f} MB") + _contents()
     return found
 
 
@@ -126,27 +107,27 @@ def _contents() -> str:
         name: [f"{chapter.number} {chapter.name} <{chapter.page}>" for chapter in part]
         for name, part in parts(ROOT).items()
     }
-    lists["Start"] = ["chapters", *lists["Start"]]
+    first = next(iter(lists))
+    lists[first].insert(0, "chapters")
     lists["Using it"] = DOCS
     lists["Aside"] = ["i_want_to", "lab_sheet", "many_runs", "solutions/index"]
     lists["Aside"] += ["for_instructors", "for_your_course"]
     lists["To look things up"] = ["reference/index", "conventions", "glossary", "ledger/index"]
     lists["To look things up"] += ["gallery/index", "errata", "changes"]
     return "".join(
-        contents(names, ":hidden:", f":caption: '{caption}'") for caption, names in lists.items()
+        contents(names, ":hidden:", f':caption: "{caption}"') for caption, names in lists.items()
     )
 
 
-def _gallery(in_chapters: Collection[str]) -> str:
-    """The list of figures, each with a name to link to, and links to its numbers and chapter."""
+def _gallery() -> str:
+    """The list of figures, each with a name to link to, and a link to its numbers."""
     text = (ROOT / "figures/README.md").read_text("utf-8")
 
     def named(match: re.Match[str]) -> str:
         numbers = (
             f" [Numbers]({match[2]}.csv)." if (ROOT / f"figures/{match[2]}.csv").exists() else ""
         )
-        place = f" [In the chapter](#fig-{match[2]})." if match[2] in in_chapters else ""
-        return f"(figure-{match[2]})=\n{match[0]}{numbers}{place}"
+        return f"(figure-{match[2]})=\n{match[0]}{numbers}"
 
     text = re.sub(r"\n\n.*\n\n", f"\n\n{GALLERY}\n\n", text, count=1)
     # The text for who cannot see the picture is its caption, which stands below it.

@@ -1,13 +1,13 @@
 """The executed notebooks as pages: what MyST-NB reads of them.
 
-Each keeps its name, so links between notebooks hold. Headings and equations of chapters become
-places to link to, and what JupyterLab folds is folded. `outputs` says what becomes of outputs.
+Each keeps its name, so links between notebooks hold. Headings of chapters become places to link to,
+and what JupyterLab folds is folded. `outputs` says what becomes of outputs.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from copy import deepcopy
 from typing import Any, NamedTuple
 
@@ -15,8 +15,7 @@ import nbformat
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
-from addresses import PDF, colab_address, live_address, section_label
-from reading.equations import add_targets, with_mentions
+from addresses import PDF, live_address, section_label
 from reading.folds import FOLDED
 from reading.links import with_links
 from reading.outputs import Outputs, has_room
@@ -28,12 +27,6 @@ COLLAPSED = "jp-MarkdownHeadingCollapsed"
 """JupyterLab's mark at a cell whose section is folded."""
 HEADING = re.compile(r"^(#+) (.+)$", re.M)
 IN_A_NOTEBOOK = '<details class="in-a-notebook"><summary>In a notebook, this is the cell</summary>'
-WAYS: dict[str, tuple[Callable[[str], str], str]] = {
-    "live": (live_address, "Run the whole notebook live"),
-    "colab": (colab_address, "Notebook for Colab"),
-    "pdf": (lambda notebook: PDF, "The book as PDF"),
-}
-"""Other ways to read a notebook, by the part of the site that they lead to."""
 
 
 class NotebookPages(NamedTuple):
@@ -41,19 +34,13 @@ class NotebookPages(NamedTuple):
 
     texts: dict[str, str]  # what MyST-NB reads, by the name of the file
     pictures: Pictures
-    figures: frozenset[str]  # names of the book's figures that have a place on one of the pages
 
 
 def notebook_pages(
-    notebooks: Mapping[str, NotebookNode],
-    chapters: Sequence[Chapter],
-    beside: Collection[str] = (),
+    notebooks: Mapping[str, NotebookNode], chapters: Sequence[Chapter]
 ) -> NotebookPages:
-    """Return the pages of all notebooks.
-
-    The parts of the site that are built `beside` the pages are of "live", "colab" and "pdf".
-    """
-    pictures, texts, figures = Pictures(), {}, set()
+    """Return the pages of all notebooks."""
+    pictures, texts = Pictures(), {}
     known = {f"{chapter.page}.ipynb": chapter for chapter in chapters}
     for name, notebook in notebooks.items():
         folder, _, file = name.rpartition("/")
@@ -67,23 +54,20 @@ def notebook_pages(
             _add_places(cells, number)
         cells = [*_shown(cells, name, outputs)]
         if not folder:
-            _add_ways(cells[0], name, chapter, beside)
-            figures |= outputs.figures
+            _add_ways(cells[0], name, chapter)
         # Without the state of its widgets, which live in a kernel only.
         metadata = {"kernelspec": notebook.metadata["kernelspec"]}
         page = new_notebook(cells=cells, metadata=metadata)  # type: ignore[no-untyped-call]
         texts[name] = nbformat.writes(page)  # type: ignore[no-untyped-call]
-    return NotebookPages(texts, pictures, frozenset(figures))
+    return NotebookPages(texts, pictures)
 
 
 def _add_places(cells: list[NotebookNode], number: str) -> None:
-    """Make headings and equations of a chapter places, and numbers of equations links to them."""
-    add_targets(cells, number)
+    """Make headings of a chapter places to link to."""
     for cell in cells:
         if cell.cell_type == "markdown":
             cell.source = HEADING.sub(
-                lambda found: f"({_place(found, number)})=\n{found[0]}",
-                with_mentions(cell.source, number),
+                lambda found: f"({_place(found, number)})=\n{found[0]}", cell.source
             )
 
 
@@ -95,8 +79,6 @@ def _shown(cells: list[NotebookNode], name: str, outputs: Outputs) -> Iterator[N
     """What a page has of the cells: links and outputs as the site has them, folds marked."""
     for cell in cells:
         if cell.cell_type == "code":
-            if targets := cell.metadata.pop("targets", []):
-                yield _cell("markdown", "\n".join(targets))
             cell.outputs = outputs.shown(cell)
         else:
             cell.source = with_links(cell.source, name)
@@ -122,16 +104,12 @@ def _cell(kind: str, source: str, **more: Any) -> NotebookNode:
     return make(source, **more)  # type: ignore[no-untyped-call]
 
 
-def _add_ways(
-    first: NotebookNode, name: str, chapter: Chapter | None, beside: Collection[str]
-) -> None:
+def _add_ways(first: NotebookNode, name: str, chapter: Chapter | None) -> None:
     """Say below the title how long a chapter takes, and how else one can have the notebook."""
     ways = [f"{chapter.minutes} minutes"] if chapter else []
     ways += [
-        f'<a href="{address(name)}">{words}</a>'
-        for part, (address, words) in WAYS.items()
-        if part in beside
+        f'<a href="{live_address(name)}">Run the whole notebook live</a>',
+        f'<a href="{PDF}">The book as PDF</a>',
     ]
-    if ways:
-        line = f'<p class="ways">{" · ".join(ways)}</p>'
-        first.source = HEADING.sub(rf"\g<0>\n\n{line}\n", first.source, count=1)
+    line = f'<p class="ways">{" · ".join(ways)}</p>'
+    first.source = HEADING.sub(rf"\g<0>\n\n{line}\n", first.source, count=1)

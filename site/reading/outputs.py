@@ -1,8 +1,8 @@
 """What a page shows of the outputs of a cell.
 
-Pictures become files, a figure of the book a place to link to, a panel's still keeps the class and
-the values of its panel, and what asks for an answer makes room for one: scripts of the site make
-the last two live, and without them the page reads as it is.
+Pictures become files, a figure of the book leads to its numbers, a panel's still keeps the class
+and the values of its panel, and what asks for an answer makes room for one: scripts of the site
+make the last two live, and without them the page reads as it is.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from nbformat.v4 import new_output
 
 from addresses import section_label
 from reading.pictures import Pictures
-from reading.solutions import fold_of
+from reading.solutions import link_to_solution
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
 STILL = re.compile(r'<style>.*?</style>(<figure class="driftlab-still".*?)<figcaption>.*', re.S)
@@ -48,7 +48,6 @@ class Outputs:
         self.page = page  # its name, as "solutions/03_systematic_drift"
         self.up = "../" * page.count("/")  # the way to the begin of the site
         self.chapter = chapter  # whose the page or its solutions are; "" if neither
-        self.figures: set[str] = set()  # names of figures that have their place on the page
 
     def shown(self, cell: NotebookNode) -> list[NotebookNode]:
         """Return what the page shows of a cell's outputs."""
@@ -72,7 +71,7 @@ class Outputs:
         if card := OPEN.fullmatch(html):
             hints = SECTION.sub(self._section, card[2])
             room = f'<div class="exercise" data-exercise="{card[1]}"></div>'
-            solution = fold_of(card[1], f"solutions/{self.page}.html")
+            solution = link_to_solution(card[1], f"solutions/{self.page}.html")
             return f'{room}<div class="hints">{hints}</div>{solution}'
         if guess := GUESS.fullmatch(html):
             return f'<div class="guess" data-guess="{self.chapter}">{guess[1]}</div>'
@@ -81,20 +80,13 @@ class Outputs:
         return self.pictures.as_files(PROGRESS.sub("", html), self.up)
 
     def _figure(self, figure: re.Match[str], plain: str) -> str:
-        """A figure of the book; as published it is a place, and leads to its numbers."""
+        """A figure of the book; as published it leads to its numbers."""
+        more = ""
+        if name := PUBLISHED.match(plain):
+            address = f"{self.up}gallery/index.html#figure-{name[1]}"
+            more = f' <a class="reference internal" href="{address}">Its numbers</a>'
         picture = self.pictures.as_files(figure[1], self.up)
-        name = PUBLISHED.match(plain)
-        place, more = "", ""
-        if name:
-            more = (
-                f' <a class="reference internal" '
-                f'href="{self.up}gallery/index.html#figure-{name[1]}">Its numbers</a>'
-            )
-        if name and name[1] not in self.figures:
-            self.figures.add(name[1])
-            place = f' id="fig-{name[1]}"'
-        caption = f"{figure[2]}{more}</figcaption>"
-        return f'<figure class="driftlab-figure"{place}>{picture}{caption}</figure>'
+        return f'<figure class="driftlab-figure">{picture}{figure[2]}{more}</figcaption></figure>'
 
     def _section(self, found: re.Match[str]) -> str:
         """A link to a section, for which Jupyter has another address."""

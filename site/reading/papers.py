@@ -29,12 +29,6 @@ def place_label(entry: LedgerEntry) -> str:
     return section_label(entry.chapter, entry.section)
 
 
-def equation_label(entry: LedgerEntry) -> str:
-    """Return the target of links to an equation in the book; "" if the entry is not one."""
-    numbered = re.fullmatch(r"\(\d+(\.\d+)?\)", entry.label)
-    return f"eq-{entry.paper}-{slug(entry.label)}" if numbered else ""
-
-
 @cache
 def entries_by_home() -> dict[str, list[LedgerEntry]]:
     """Return the entries that each function computes, by the name of its home."""
@@ -122,13 +116,6 @@ def _line(line: str) -> str:
     return f"`{line}`" if line else ""
 
 
-def _in_the_book(entry: LedgerEntry) -> str:
-    """Where a chapter treats an entry, and where its equation stands."""
-    section = f"[chapter {entry.chapter}, {entry.section}](#{place_label(entry)})"
-    equation = equation_label(entry)
-    return f"{section}; [{entry.label} there](#{equation})" if equation else section
-
-
 def _entry(entry: LedgerEntry) -> list[str]:
     weight = f", {entry.severity}" if entry.severity else ""
     shown = documented()
@@ -143,7 +130,7 @@ def _entry(entry: LedgerEntry) -> list[str]:
         "Right": entry.right,
         "Proof": entry.proof,
         "For the authors": entry.in_favour,
-        "In the book": _in_the_book(entry),
+        "In the book": f"[chapter {entry.chapter}, {entry.section}](#{place_label(entry)})",
         "Computed by": functions,
         "Tested by": tests,
     }

@@ -7,20 +7,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from pdf.contents import PARTS
+
 ROW = re.compile(
     r"^\| (\d\d) \| \[([^\]]+)\]\(notebooks/([^)]*)\.ipynb\) \| [^|]+ \| (\d+) \|$", re.M
 )
 """A chapter in the table of README.md: number, name, page, minutes."""
-PARTS = {
-    "Start": ("00",),
-    "Part I: Larin": ("01", "02", "03", "04"),
-    "Part II: Perelyaev and Chelnokov": ("05", "06"),
-    "Part III: Wu and others": ("07", "08"),
-    "Part IV: Plotnikov and others": ("09", "10"),
-    "All four papers": ("11", "12"),
-    "Recordings": ("13",),
-}
-"""Numbers of the chapters of each part: one paper is one part."""
 
 
 class Chapter(NamedTuple):
@@ -38,9 +30,12 @@ def chapters(root: Path) -> tuple[Chapter, ...]:
 
 
 def parts(root: Path) -> dict[str, list[Chapter]]:
-    """Return the chapters of each part by its name."""
-    known = {chapter.number: chapter for chapter in chapters(root)}
-    return {name: [known[number] for number in numbers] for name, numbers in PARTS.items()}
+    """Return the chapters of each part of the book by its title."""
+    found = {
+        part.title: [each for each in chapters(root) if each.page.startswith(part.beginnings)]
+        for part in PARTS
+    }
+    return {title: each for title, each in found.items() if each}
 
 
 def contents(names: Sequence[str], *options: str) -> str:

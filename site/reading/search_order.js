@@ -1,4 +1,4 @@
-/* What the search puts first, and what it quotes: words of the glossary, tasks, and chapters by
+/* What the search puts first: words of the glossary, tasks, and chapters by
    their headings; then functions; then what only has the word somewhere in its text. */
 const BY_HEADING = /^(\d\d_|i_want_to)/; // pages to read
 var Scorer = {
@@ -32,19 +32,5 @@ var Scorer = {
   partialTerm: 2,
 };
 
-/* The words of a page, or of one place of it, that an excerpt is taken from: no code, no formulas.
-   A function's place is its heading, so its text is beside it. */
-const UNREAD = ".headerlink, script, style, .highlight, .math, .ways, .sig, dl.field-list";
-function wordsOf(text, anchor) {
-  const page = new DOMParser().parseFromString(text, "text/html");
-  const found = anchor && page.getElementById(decodeURIComponent(anchor.slice(1)));
-  const place = found?.matches("dt") ? found.parentElement : found;
-  const whole = place?.textContent.trim() ? place : page.querySelector('[role="main"]');
-  for (const part of whole?.querySelectorAll(UNREAD) ?? []) part.remove();
-  return whole?.textContent.replace(/\s+/g, " ") ?? "";
-}
-document.addEventListener("DOMContentLoaded", () => {
-  if (typeof Search !== "undefined") Search.htmlToText = wordsOf;
-});
 // From a disk no page can be asked for the lines around a word; the titles are found all the same.
 if (location.protocol === "file:") DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;

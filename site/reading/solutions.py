@@ -1,4 +1,4 @@
-"""Worked solutions: pages of their own, and the folds below the exercises that lead to them."""
+"""Worked solutions: pages of their own, and the links between them and the exercises."""
 
 from __future__ import annotations
 
@@ -18,13 +18,10 @@ def solution_label(number: str) -> str:
     return f"solution-{number.replace('.', '-')}"
 
 
-def fold_of(number: str, page: str) -> str:
-    """Return what stands below an exercise; ``solutions.js`` fills it when a reader unfolds it."""
-    return (
-        '<details class="solution"><summary>Worked solution</summary>'
-        f'<p><a class="reference internal" href="{page}#{solution_label(number)}">'
-        "On a page of its own</a></p></details>"
-    )
+def link_to_solution(number: str, page: str) -> str:
+    """Return what stands below an exercise."""
+    address = f"{page}#{solution_label(number)}"
+    return f'<p><a class="reference internal" href="{address}">Worked solution</a></p>'
 
 
 def link_back(cells: Sequence[NotebookNode], chapter: str) -> None:

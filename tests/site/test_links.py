@@ -5,11 +5,11 @@ from html.parser import HTMLParser
 from urllib.parse import unquote
 
 import pytest
+from requests_of import requests_of
 
 from addresses import DOCS, LINK, file_of, page_of
 from reading.links import with_links
 from reading.make import docs_page
-from requests_of import requests_of
 
 
 @pytest.mark.parametrize(

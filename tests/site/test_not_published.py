@@ -5,9 +5,11 @@ import re
 
 import pytest
 
-from colab import make_colab
-from executed import FOLDER, NOT_PUBLISHED, notebooks, published
+from executed import FOLDER, notebooks, published
 from pdf.contents import PARTS, chosen
+
+NOT_PUBLISHED = "instructors"
+"""Folder of what students should not find, the examination above all."""
 
 
 def test_the_examination_is_there_to_be_printed_and_not_among_the_pages():
@@ -17,12 +19,9 @@ def test_the_examination_is_there_to_be_printed_and_not_among_the_pages():
     }
 
 
-def test_nothing_of_it_is_in_the_book_on_paper_or_for_colab(tmp_path):
+def test_nothing_of_it_is_in_the_book_on_paper():
     assert not any(name.startswith(NOT_PUBLISHED) for part in PARTS
                    for name in chosen(part, notebooks()))  # fmt: skip
-    make_colab(FOLDER, tmp_path)
-    assert (tmp_path / "for_your_course.ipynb").is_file()
-    assert not (tmp_path / NOT_PUBLISHED).exists()
 
 
 @pytest.mark.parametrize("name", published())

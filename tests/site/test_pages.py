@@ -8,7 +8,7 @@ WIDTHS = (390, 768, 1280)
 
 def own_pages(site):
     """Pages of the site's own, from the folder down; the live book's are JupyterLite's."""
-    left_out = {"_modules", "live"}
+    left_out = {"live"}
     return [path for path in sorted(site.rglob("*.html")) if not left_out & {*path.parts}]
 
 
@@ -78,23 +78,3 @@ def test_recipes_show_their_whole_lines(site, page):
     page.goto((site / "i_want_to.html").as_uri())
     beyond = "cells => cells.filter(cell => cell.scrollWidth > cell.clientWidth).length"
     assert page.locator("div.cell_input pre").evaluate_all(beyond) == 0
-
-
-@pytest.mark.parametrize(
-    ("hash_", "seen"),
-    [
-        ("exercises", "#exercises"),
-        ("panel=DriftExplorer&azimuth=-30", "[data-panel=DriftExplorer]"),
-    ],
-)
-def test_a_place_that_is_asked_for_stays_in_view(site, address, page, hash_, seen):
-    if not (site / "in_place").exists():
-        pytest.skip("the site was built without what lives in it")
-    page.route("**/worker.js", lambda route: route.abort())  # only where the page stands
-    page.goto(f"{address}/03_systematic_drift.html#{hash_}")
-    page.wait_for_function("document.querySelector('mjx-container') !== null")
-    page.wait_for_function("MathJax.startup.promise.then(() => true)")
-    top = f"document.querySelector('{seen}').getBoundingClientRect().top"
-    page.wait_for_function(f"{top} >= 0 && {top} < 200")
-    page.mouse.wheel(0, -3000)
-    page.wait_for_function(f"{top} > 1000")  # who scrolls is left alone
