@@ -58,8 +58,6 @@
       }
       button.disabled = false;
     });
-    const caption = figure.querySelector("figcaption");
-    if (caption) caption.textContent = "This is how it stood when the chapter was run.";
     figure.append(offered);
   }
 

@@ -47,7 +47,7 @@ def test_its_numbers_are_those_of_the_package(still):
         left = drift_per_revolution(axis_of(block.values), error_matrix_of(block.values))
         assert (
             block.look_for[name]
-            == still.locator("figure[data-panel=TurningBlock] figcaption").inner_text()
+            == still.locator("figure[data-panel=TurningBlock] > figcaption").inner_text()
         )
         assert abs(float(said[:-1])) == pytest.approx(abs(5 * 60 * np.degrees(left)), abs=0.01)
 
