@@ -90,7 +90,7 @@ def assert_drawn(view: View, stage: Stage, moment: int, drawn: list) -> None:
 def test_every_place_on_the_screen_is_a_number_of_the_package(panel: Panel) -> None:
     """It plays, a key asks for two degrees, and each control goes to both ends."""
     twin = panel.twin
-    stage = twin.view.stage(twin.compute(twin.values))
+    stage = twin.view._shown
     last = len(stage.times) - 1
     for moment in (0, last // 3, last):
         ask(panel, f"scene => scene.goTo({moment})")
