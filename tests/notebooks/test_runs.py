@@ -1,7 +1,7 @@
 """Every notebook runs from a clean start and hides no error, and its panels live.
 
-What readers read is run where they read it, in JupyterLab in a browser, and saved; without a
-browser in a kernel. All other notebooks are run in the process of the tests. None has a network.
+Chapters are run in a kernel, two of them in JupyterLab in a browser. All other notebooks are run in
+the process of the tests. None has a network.
 """
 
 import re
@@ -39,6 +39,8 @@ from driftlab.book.panels import EXPLORERS
 from executed import keep
 
 READERS = [START, *CHAPTERS, LEDGER]
+IN_BROWSER = [] if no_browser() else [START, FOLDER / "03_systematic_drift.ipynb"]
+"""The panels and scenes of the others are tried in the browser without their chapter."""
 TIMEOUT = 600
 """Seconds before a cell counts as hung, on a machine that is busy with other things as well."""
 HEAVY = ["08", "11", "10", "06", "05"]
@@ -92,7 +94,7 @@ def run(request, tmp_path_factory: pytest.TempPathFactory) -> Run:
         with pytest.MonkeyPatch.context() as monkeypatch:
             monkeypatch.chdir(FOLDER)
             notebook = run_here(notebook, tmp_path_factory.mktemp("ipython"))
-    elif no_browser():
+    elif path not in IN_BROWSER:
         notebook = run_in_kernel(notebook)
     else:
         page = request.getfixturevalue("chapter_page")
@@ -109,7 +111,8 @@ def runs_of(paths: list[Path]) -> pytest.MarkDecorator:
 
     def param(path: Path):
         name = name_of(path)
-        marks = [pytest.mark.xdist_group(f"notebook-{name}")]
+        group = "browser" if path in IN_BROWSER else f"notebook-{name}"
+        marks = [pytest.mark.xdist_group(group)]
         if path in READERS:
             marks += [pytest.mark.kernel, pytest.mark.filterwarnings("ignore::DeprecationWarning")]
         else:
@@ -231,7 +234,7 @@ def test_every_explorer_is_somewhere_in_the_book() -> None:
 
 @pytest.mark.browser
 @pytest.mark.skipif(bool(no_browser()), reason=no_browser())
-@runs_of([path for path in READERS if any(place.chapter == path.name for place in PLACES)])
+@runs_of([path for path in IN_BROWSER if any(place.chapter == path.name for place in PLACES)])
 def test_panels_live_in_their_chapter(run: Run) -> None:
     for place in PLACES:
         if place.chapter == run.path.name:
@@ -284,7 +287,7 @@ def broken(x):
 
 @pytest.mark.kernel
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")
-@pytest.mark.xdist_group("browser-faults")
+@pytest.mark.xdist_group("browser")
 @pytest.mark.parametrize(
     "way",
     [
