@@ -5,22 +5,9 @@ import pytest
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("site-chapters")]
 
 
-def test_a_solution_comes_into_the_chapter_when_it_is_unfolded(address, page):
-    page.goto(f"{address}/03_systematic_drift.html")
-    fold = page.locator("details.solution").nth(1)
-    fold.locator("summary").click()
-    fold.get_by_text("all nine sliders matter").wait_for()
-    fold.locator("mjx-container").first.wait_for()
-    assert fold.locator("h2").count() == 0
-    assert page.locator("details.solution mjx-container").count() > 0
-    assert page.complaints == []
-
-
-def test_from_a_disk_the_fold_leads_to_the_solution(site, page):
+def test_a_link_below_an_exercise_leads_to_its_solution(site, page):
     page.goto((site / "03_systematic_drift.html").as_uri())
-    fold = page.locator("details.solution").first
-    fold.locator("summary").click()
-    fold.locator("a").click()
+    page.get_by_role("link", name="Worked solution").first.click()
     page.wait_for_url("**/solutions/03_systematic_drift.html#solution-3-1")
     assert page.complaints == []
 
