@@ -2,17 +2,17 @@
 """Set up Drift Lab and open the book: ``python3 lab.py``."""
 
 import argparse
-import errno
-import io
 import os
 import platform
 import re
-import socket
+import signal
+import subprocess
 import sys
 import textwrap
 import time
 from collections.abc import Callable
 from functools import partial
+from itertools import chain
 from pathlib import Path
 
 # Old Pythons read this file too, so its syntax stays that of Python 3.6 and they stop here.
@@ -24,38 +24,21 @@ if sys.version_info < (3, 11):  # noqa: UP036
 
 sys.path.append(str(Path(__file__).resolve().parent))
 
+from bootstrap import environment
 from bootstrap.copies import BOOK, bring_clean, bring_copies
-from bootstrap.environment import (
-    LOWEST_LIST,
-    PYPROJECT,
-    SITE_LIST,
-    beside,
-    lock_line,
-    of_today,
-    pins,
-    project,
-    runs,
-    set_up,
-    write,
-)
-from bootstrap.installer import ENVIRONMENT, installers
-from bootstrap.server import serve
+from bootstrap.environment import set_up, site_tools, with_extras
 from bootstrap.steps import (
-    DISK_FULL,
     HOME,
     PYTHON,
-    VENV,
+    VERSION,
     NoPackages,
     Trouble,
     catch_signals,
-    run_step,
     running,
     say,
     surroundings,
 )
 
-LOWEST_HEAD = "# The oldest packages that pyproject.toml allows, for 'python3 lab.py lowest'.\n"
-SITE_HEAD = "# What 'python3 lab.py site' needs beside environment.txt; by 'python3 lab.py lock'.\n"
 FIRST = "00_start_here.ipynb"
 HEAD = """\
 Drift Lab: an interactive textbook on how gyro misalignments become errors.
@@ -70,7 +53,6 @@ docs/commands.md                  has all of this on one page
 """
 ROW = r"^\| `(\w+)` \| (.*?) \| (.*?) ?\|$"
 """A command in docs/commands.md: its name, what it does, its options."""
-SITE = "_site"
 # The longest groups first, as tests/conftest.py orders them, not those of the most tests.
 # Two processors are busy with three of them: one waits for the browser half of the time.
 AT_ONCE = ["-n", "3", "--dist", "loadgroup", "--no-loadscope-reorder", "--durations=10"]
@@ -84,18 +66,25 @@ OF_DIFFERENT_AGE = [
     # The page's stand-in has what ipywidgets 8 has; a slider of 7 has no tooltip.
     "--deselect=tests/site/test_widgets_standin.py::test_shows_the_same",
 ]
-NEWEST_EXTRAS = ("book", "cluster", "compiled", "lab", "test", "dev")
-# Paths are seen from where the caller is; -P: modules are not.
-BOOK_PROGRAM = ("-P", "-m", "driftlab.book")
 LONG = ("browser", "kernel", "long", "setup", "slow")
 # Of the site and of a class, which only some change: .ci/run tries them by name.
 ELSEWHERE = ["--ignore=tests/site", "--ignore=tests/class"]
 QUICK = ["--hypothesis-profile=quick", "-m", " and ".join(f"not {mark}" for mark in LONG)]
+COMPILE = ("-m", "uv", "pip", "compile", "--quiet")
+# Of a system what uv calls it, and the names of its wheels. Of Linux all names up to the glibc of
+# Debian 12 are listed: pip adds nothing to a name of this kind.
+LINUX = [*(f"manylinux_2_{minor}_x86_64" for minor in range(36, 16, -1)), "manylinux2014_x86_64"]
+SYSTEMS = {
+    "windows": ("x86_64-pc-windows-msvc", ["win_amd64"]),
+    "mac": ("aarch64-apple-darwin", ["macosx_14_0_arm64"]),
+    "linux": ("x86_64-manylinux_2_36", LINUX),
+}
 
 
-def run(*arguments: str, python: Path = PYTHON, venv: Path = VENV, cwd: Path = HOME) -> int:
+def run(*arguments: str, python: Path = PYTHON, cwd: Path = HOME) -> int:
     """Run a Python, the environment's, in sight of the user and return its exit code."""
-    with running([str(python), *arguments], env=surroundings(venv), cwd=cwd) as process:
+    env = surroundings(python.parents[1])
+    with running([str(python), *arguments], env=env, cwd=cwd) as process:
         return abs(process.wait())
 
 
@@ -106,22 +95,25 @@ def open_book(arguments: list[str]) -> int:
     parser.add_argument("--port", type=int, default=0)  # 0: any, chosen by the system
     parser.add_argument("--original", action="store_true")
     options = parser.parse_args(arguments)
-    if options.port:
-        try:
-            socket.create_server(("127.0.0.1", options.port)).close()
-        except (OSError, OverflowError) as error:
-            raise Trouble(
-                f"Port {options.port} cannot be had: choose another or leave --port out."
-            ) from error
     try:
         set_up()
     except NoPackages as trouble:
-        if not runs():
+        if not environment.runs():
             raise
         say(f"{trouble}\nMeanwhile the book opens with the packages of the last set-up.")
     folder = BOOK if options.original else bring_copies()
-    serve(f"{folder.name}/{FIRST}", options.port, browser=not options.no_browser)
-    return 0
+    say("Starting JupyterLab ...")
+    command = [
+        *[str(PYTHON), "-P", str(HOME / "bootstrap/server.py")],
+        f"--ServerApp.root_dir={HOME}",
+        f"--ServerApp.port={options.port}",
+        f"--ServerApp.open_browser={not options.no_browser}",
+        f"--LabApp.default_url=/lab/tree/{folder.name}/{FIRST}",
+    ]
+    if os.name != "nt":
+        os.execve(PYTHON, command, surroundings())
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a console sends Ctrl-C to both
+    return subprocess.call(command, env=surroundings())
 
 
 def fresh(arguments: list[str]) -> int:
@@ -137,21 +129,20 @@ def test(arguments: list[str]) -> int:
     marks = QUICK if "--quick" in arguments else ["-m", "long"] if "--long" in arguments else []
     chosen = [each for each in arguments if each not in ("--quick", "--long", "--site")]
     if "--site" in arguments:
-        if not (HOME / os.environ.setdefault("DRIFTLAB_SITE", SITE)).is_dir():
+        if not (HOME / os.environ.setdefault("DRIFTLAB_SITE", "_site")).is_dir():
             raise Trouble("There is no site to test; 'python3 lab.py site' builds it.")
         paths = [argument for argument in chosen if (HOME / argument.split("::")[0]).exists()]
         # Pages that compute seldom wait: two processors have enough of two.
-        at_once = [*AT_ONCE, "-n", "2"]
-        return run("-m", "pytest", *at_once, *chosen, *(() if paths else ["tests/site"]))
+        chosen += [] if paths else ["tests/site"]
+        return run("-m", "pytest", *AT_ONCE, "-n", "2", *chosen)
     if chosen or "--long" in arguments:
         return run("-m", "pytest", *marks, *(chosen or AT_ONCE))
     begun = time.monotonic()
+    linter = "from importlinter.cli import lint_imports_command; lint_imports_command()"
     checks = {"ruff": ["-m", "ruff", "check"], "mypy": ["-m", "mypy"]}
-    if "importlinter" in project()["tool"]:
-        linter = "from importlinter.cli import lint_imports_command; lint_imports_command()"
-        checks["import-linter"] = ["-c", linter]
     # pytest comes last so that its summary closes the output.
-    checks["pytest"] = ["-m", "pytest", *AT_ONCE, *ELSEWHERE, *(marks or ("-m", "not long"))]
+    tests = ["-m", "pytest", *AT_ONCE, *ELSEWHERE, *(marks or ("-m", "not long"))]
+    checks |= {"import-linter": ["-c", linter], "pytest": tests}
     codes = {name: run(*command) for name, command in checks.items()}
     failed = [name for name, code in codes.items() if code]
     minutes, seconds = divmod(round(time.monotonic() - begun), 60)
@@ -159,154 +150,82 @@ def test(arguments: list[str]) -> int:
     return max(codes.values())
 
 
-def quick_tests(environment: Callable[[], Path], arguments: list[str]) -> int:
-    """Run the quick tests, or some of them, in an environment whose packages are of another age."""
-    python = environment()
-    asked = [*QUICK, *OF_DIFFERENT_AGE, *(arguments or AT_ONCE)]
-    return run("-m", "pytest", *asked, python=python, venv=python.parents[1])
+def quick_tests(age: str, arguments: list[str]) -> int:
+    """Run the quick tests, or some of them, with packages of another age."""
+    python = environment.of_age(age)
+    return run("-m", "pytest", *QUICK, *OF_DIFFERENT_AGE, *(arguments or AT_ONCE), python=python)
 
 
-def figures(arguments: list[str]) -> int:
-    """Rebuild every figure and table, or some."""
-    set_up()
-    return run(*BOOK_PROGRAM, "figures", *arguments, cwd=Path.cwd())
-
-
-def bench(arguments: list[str]) -> int:
-    """Measure how fast the package is; without a choice of subjects, renew the page of it."""
-    set_up()
-    if not asks_for_help(arguments):
-        fetch("bench")
-    return run("benchmarks/bench.py", *arguments)
-
-
-def peers(arguments: list[str]) -> int:
-    """Ask the programs of others whether they compute the same; who is missing is skipped."""
-    expect_none(arguments)
-    set_up()
-    for extra in ("bench", "cluster", "peers"):
-        fetch(extra)
-    return run("-m", "pytest", "benchmarks")
-
-
-def asks_for_help(arguments: list[str]) -> bool:
-    return bool({"-h", "--help"} & {*arguments})
-
-
-def fetch(extra: str) -> None:
-    """Bring the packages of an extra; they may not change what environment.txt pins."""
-    wanted = project()["project"].get("optional-dependencies", {}).get(extra, [])
-    if wanted:
-        command, env = next(installers(VENV))
-        try:
-            run_step([*command, "--only-binary=:all:", *wanted, *pins()], env)
-        except NoPackages as trouble:
-            say(f"{trouble}\nGoing on without the packages to compare with.")
-
-
-def by_site_tools(name: str, arguments: list[str]) -> int:
-    """Run a script of the site in the environment that has its tools and return its exit code."""
-    set_up()
-    return run(name, *arguments, python=beside(SITE_LIST, "site", sees_venv=True))
-
-
-def student(arguments: list[str]) -> int:
-    """Pack a copy for students, into the file that is named, if one is."""
-    if len(arguments) > 1 or any(argument.startswith("-") for argument in arguments):
-        raise Trouble(f"student: expected at most one file, got {' '.join(arguments)}.")
-    target = Path(*arguments).absolute() if arguments else HOME / "drift-lab-student.zip"
-    return run("deployment/student.py", str(target), python=Path(sys.executable))
-
-
-def class_report(arguments: list[str]) -> int:
-    """Report what a class handed in."""
-    if not arguments:
-        raise Trouble('Say what to read: "python3 lab.py class FOLDER".')
-    set_up()
-    return run(*BOOK_PROGRAM, "class", *arguments, cwd=Path.cwd())
+def program(python: Callable[[], Path], *command: str) -> Callable[[list[str]], int]:
+    """Return a command that runs a program of the book, which sees paths as the caller does."""
+    return lambda arguments: run(*command, *arguments, python=python(), cwd=Path.cwd())
 
 
 def wheels(arguments: list[str]) -> int:
     """Fetch the packages into a folder, for computers without a network."""
-    if not arguments or arguments[0].startswith("-"):
-        raise Trouble('Say where to put them: "python3 lab.py wheels FOLDER".')
+    parser = argparse.ArgumentParser(prog="lab.py wheels", usage="python3 lab.py help wheels")
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--system", choices=SYSTEMS)
+    parser.add_argument("--python", default=VERSION)
+    asked = parser.parse_args(arguments)
+    if asked.python != VERSION and not asked.system:
+        parser.error("--python needs --system, too: for which computers is it?")
     set_up()
-    return run("-m", "bootstrap.offline", str(Path(arguments[0]).absolute()), *arguments[1:])
-
-
-def lock(arguments: list[str]) -> int:
-    """Write environment.txt with the newest packages that pyproject.toml allows, and more lists."""
-    expect_none(arguments)
-    set_up()
-    write(ENVIRONMENT, lock_line() + resolved(ENVIRONMENT))
-    say("environment.txt is renewed.")
-    extras = project()["project"].get("optional-dependencies", {})
-    if "book" in extras:
-        write(LOWEST_LIST, LOWEST_HEAD + resolved(LOWEST_LIST, "--resolution", "lowest-direct"))
-        say("The list of the oldest packages is renewed.")
-    if "site" in extras:
-        found = resolved(SITE_LIST, "--extra", "site", "--constraint", ENVIRONMENT.name)
-        write(SITE_LIST, SITE_HEAD + without(found, ENVIRONMENT.read_text("utf-8")))
-        say("The list of the site's packages is renewed.")
+    folder, listed = asked.folder.absolute(), "environment.txt"
+    options = ["--no-deps", "--only-binary=:all:", "--require-hashes", "--dest", str(folder)]
+    if asked.system:  # pip would choose the lines of the list for this computer
+        system, names = SYSTEMS[asked.system]
+        options += ["--implementation", "cp", "--python-version", asked.python]
+        options += [part for name in names for part in ("--platform", name)]
+        chosen = ["--no-config", "--no-deps", "--generate-hashes", "--python-platform", system]
+        chosen += ["--python-version", asked.python, "--output-file", "wheels.new"]
+        if run(*COMPILE, listed, *chosen):
+            raise Trouble("environment.txt cannot be read for that system; see the messages above.")
+        listed = "wheels.new"
+    if run("-m", "pip", "download", "--quiet", *options, "-r", listed):
+        raise Trouble(f"{folder} is not complete; the messages above tell why.")
+    say(
+        f"{folder} has {len([*folder.glob('*.whl')])} wheels. Where there is no network, set "
+        "PIP_NO_INDEX=1 and PIP_FIND_LINKS to this folder before the first 'python3 lab.py'."
+    )
     return 0
 
 
-def resolved(listed: Path, *options: str) -> str:
-    """Return the packages that uv finds for a list; [tool.uv.pip] in pyproject.toml has more."""
-    new = listed.with_suffix(".new")
-    command = ["pip", "compile", PYPROJECT.name, "--upgrade", "--quiet", *options]
-    if run("-m", "uv", *command, "--output-file", new.relative_to(HOME).as_posix()):
-        raise Trouble(f"{listed.name} stays as it is; the messages above tell why.")
-    found = new.read_text("utf-8")
-    new.unlink()
-    return found
+def lock(_: list[str]) -> int:
+    """Write environment.txt with the newest packages that pyproject.toml allows, and the site's."""
+    set_up()
+    wishes = (*COMPILE, "pyproject.toml", "--upgrade", "--output-file")
+    if run(*wishes, "environment.txt"):
+        return 1
+    known = [f"--no-emit-package={pin.partition('==')[0]}" for pin in environment.pins()]
+    site = ("--extra", "site", "--constraint", "environment.txt", *known)
+    return run(*wishes, "site/packages.txt", *site)
 
 
-def without(text: str, known: str) -> str:
-    """Return a list of pinned packages without those, with the same hashes, of another list."""
-    packages = re.findall(r"^[^\s#].*\n(?:[ \t].*\n)*", text, re.M)
-    return "".join(package for package in packages if package not in known)
-
-
-def release(arguments: list[str]) -> int:
-    """Write addresses, date and digest of this version into the files that need them."""
-    expect_none(arguments)
-    return run("release/write.py", python=Path(sys.executable))
-
-
-def expect_none(arguments: list[str]) -> None:
-    if arguments:
-        raise Trouble(f"This command takes no arguments; there came: {' '.join(arguments)}.")
-
-
+this_python = partial(Path, sys.executable)
+BOOK_PROGRAM = ("-P", "-m", "driftlab.book")  # -P: modules are not seen from where the caller is
 COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "open": open_book,
     "fresh": fresh,
     "test": test,
-    "lowest": partial(quick_tests, partial(beside, LOWEST_LIST, "lowest")),
-    "newest": partial(quick_tests, partial(of_today, NEWEST_EXTRAS)),
-    "figures": figures,
-    "bench": bench,
-    "peers": peers,
-    "site": partial(by_site_tools, "site/build.py"),  # where a warning is an error
-    "slides": partial(by_site_tools, "site/slides/make.py"),
-    "print": partial(by_site_tools, "site/paper.py"),
-    "class": class_report,
-    "student": student,
+    "lowest": partial(quick_tests, "lowest"),
+    "newest": partial(quick_tests, "newest"),
+    "figures": program(set_up, *BOOK_PROGRAM, "figures"),
+    "bench": program(partial(with_extras, "bench"), f"{HOME}/benchmarks/bench.py"),
+    "peers": program(
+        partial(with_extras, "bench", "cluster", "peers"), "-m", "pytest", f"{HOME}/benchmarks"
+    ),
+    "site": program(site_tools, f"{HOME}/site/build.py"),  # where a warning is an error
+    "slides": program(site_tools, f"{HOME}/site/slides/make.py"),
+    "print": program(site_tools, f"{HOME}/site/paper.py"),
+    "class": program(set_up, *BOOK_PROGRAM, "class"),
+    "student": program(this_python, f"{HOME}/deployment/student.py"),
     "wheels": wheels,
     "lock": lock,
-    "release": release,
+    "release": program(this_python, f"{HOME}/release/write.py"),
 }
-
-
-NEEDS = {
-    **dict.fromkeys(("test", "lowest"), "tests"),
-    **dict.fromkeys(("bench", "peers"), "benchmarks"),
-    **dict.fromkeys(("site", "slides", "print"), "site"),
-    **dict.fromkeys(("class", "student"), "src/driftlab/book/instructors"),
-    "release": "release/release.toml",
-}
-"""The files that commands need and that a student's copy does not have."""
+FOR_READERS = ("open", "fresh", "figures", "wheels", "lock")
+"""What a student's copy has; it has no release/release.toml."""
 
 
 def help_text(subject: str = "") -> str:
@@ -314,25 +233,21 @@ def help_text(subject: str = "") -> str:
 
     It is read from docs/commands.md.
     """
-    text = (HOME / "docs/commands.md").read_text("utf-8").partition("\n## python")[0]
-    first, *others = [re.findall(ROW, part, re.M) for part in text.split("\n### ")[1:]]
-    rows = {name: (about, options) for part in (first, *others) for name, about, options in part}
-    if not subject:
-        return HEAD + "".join(brief(name, about) for name, about, _ in first) + TAIL
-    if subject == "developers":
-        return "".join(brief(name, about) for part in others for name, about, _ in part)
-    if subject not in rows:
-        raise no_command(subject)
-    about, options = rows[subject]
-    lines = textwrap.wrap(f"  {subject:<9} {about}", 78, subsequent_indent=12 * " ")
-    lines += [14 * " " + option for option in options.split("<br>") if option]
-    return "\n".join(lines).replace("`", "") + "\n"
-
-
-def brief(name: str, about: str) -> str:
-    """Return a line on a command: its first sentence, shortened."""
-    words = re.split(r"[.:;]( |$)", re.sub(r"\[(.*?)\]\(.*?\)|`", r"\1", about))[0]
-    return f"  {name:<9} {textwrap.shorten(words, 67, placeholder=' ...')}\n"
+    page = (HOME / "docs/commands.md").read_text("utf-8").partition("\n## python")[0]
+    first, *others = [re.findall(ROW, part, re.M) for part in page.split("\n### ")[1:]]
+    if subject in ("", "developers"):
+        rows = chain(*others) if subject else first
+        lines = ""
+        for name, about, _ in rows:
+            sentence = re.split(r"[.:;]( |$)", re.sub(r"\[(.*?)\]\(.*?\)|`", r"\1", about))[0]
+            lines += f"  {name:<9} {textwrap.shorten(sentence, 67, placeholder=' ...')}\n"
+        return lines if subject else HEAD + lines + TAIL
+    for name, about, options in chain(first, *others):
+        if name == subject:
+            wrapped = textwrap.fill(f"  {name:<9} {about}", 78, subsequent_indent=12 * " ")
+            below = (f"\n{14 * ' '}{option}" for option in options.split("<br>") if option)
+            return f"{wrapped}{''.join(below)}\n".replace("`", "")
+    raise no_command(subject)
 
 
 def no_command(name: str) -> Trouble:
@@ -349,28 +264,17 @@ def main(arguments: list[str]) -> int:
     command, *rest = arguments
     if command not in COMMANDS:
         raise no_command(command)
-    if not (HOME / NEEDS.get(command, ".")).exists():
+    if command not in FOR_READERS and not (HOME / "release/release.toml").exists():
         raise Trouble(f'This is a student\'s copy of the book, which has no "{command}".')
     return COMMANDS[command](rest)
 
 
 if __name__ == "__main__":
     catch_signals()
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):  # a terminal may lack letters of our path
-            stream.reconfigure(errors="backslashreplace")
+    for stream in filter(None, (sys.stdout, sys.stderr)):  # a terminal may lack letters of our path
+        stream.reconfigure(errors="backslashreplace")
     try:
-        code = main(sys.argv[1:])
-        if sys.stdout:
-            sys.stdout.flush()
-        sys.exit(code)
-    except OSError as error:
-        if not sys.stdout or error.errno not in (errno.EPIPE, errno.ENOSPC):
-            raise
-        # What is printed finds no place, or no reader, as of "lab.py help | head". Python would
-        # try once more at the end.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(DISK_FULL if error.errno == errno.ENOSPC else 1)
+        sys.exit(main(sys.argv[1:]))
     except Trouble as trouble:
         sys.exit(str(trouble))
     except KeyboardInterrupt:

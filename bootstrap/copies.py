@@ -5,20 +5,20 @@ and no outputs nobody has worked in it, and it follows the book; from then on it
 and nothing here replaces it: on request it gets another name and a clean copy takes its place.
 """
 
-import errno
 import hashlib
 import json
 import os
+import platform
 import re
-import subprocess
 import time
 from collections.abc import Iterable
 from enum import Enum
+from itertools import chain, count
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from bootstrap.environment import alone, write
-from bootstrap.steps import HOME, PYTHON, Trouble, say
+from bootstrap.steps import HOME, Trouble, say
 
 BOOK = HOME / "notebooks"
 COPIES = HOME / "my-book"  # beside notebooks, so that links such as ../ERRATA.md hold in both
@@ -33,31 +33,13 @@ LANGUAGE = {
     "name": "python",
     "nbconvert_exporter": "python",
     "pygments_lexer": "ipython3",
+    "version": platform.python_version(),
 }
 
 
-class State(Enum):
-    """What there is in the place of a copy."""
-
-    MISSING = "nothing"
-    CLEAN = "what the book has"
-    UNTOUCHED = "an older notebook of the book, in which nobody has worked"
-    KEPT = "the reader's"
-    BEHIND = "the reader's, and the book has changed since"
-
-
-class Copy(NamedTuple):
-    """A notebook of the book and its copy: where it is, what it has, what it has when clean."""
-
-    path: Path
-    state: State
-    clean: str
-
-    @property
-    def short(self) -> str:
-        """The name without folder and ending; of a chapter the number."""
-        name = self.path.relative_to(COPIES).with_suffix("").as_posix()
-        return re.sub(r"(\d)_.*", r"\1", name)
+State = Enum("State", ["CLEAN", "UNTOUCHED", "KEPT", "BEHIND"])
+"""What there is in the place of a copy: what the book has; nothing, or an older notebook of the
+book in which nobody has worked; the reader's; the reader's, and the book has changed since."""
 
 
 def bring_copies() -> Path:
@@ -65,18 +47,18 @@ def bring_copies() -> Path:
 
     It is the book's own folder if nothing can be written here.
     """
-    copies = list_copies()
-    wanting = [copy for copy in copies if copy.state in (State.MISSING, State.UNTOUCHED)]
-    if wanting and os.access(HOME, os.W_OK):
-        if not COPIES.exists():
-            say(f"Your own copies of the notebooks are in {COPIES.name}; git ignores them.")
-        with alone():
-            for copy in wanting:
-                place(copy)
-    elif any(copy.state is State.MISSING for copy in copies):
+    copies = clean_copies()
+    if not os.access(HOME, os.W_OK):
+        if all(path.exists() for path in copies):
+            return COPIES
         say(f"{HOME} cannot be written: the book opens to be read, and keeps no changes.")
         return BOOK
-    behind = [copy.short for copy in copies if copy.state is State.BEHIND]
+    if not COPIES.exists():
+        say(f"Your own copies of the notebooks are in {COPIES.name}; git ignores them.")
+    states = {path: state_of(path, clean) for path, clean in copies.items()}
+    if State.UNTOUCHED in states.values():
+        renew(copies)
+    behind = [short(path) for path, state in states.items() if state is State.BEHIND]
     if behind:
         say(
             f"The book has changed since you began {', '.join(behind)}; what is yours stays. "
@@ -87,61 +69,59 @@ def bring_copies() -> Path:
 
 def bring_clean(beginnings: list[str]) -> None:
     """Put clean copies in place, all or those of some names; the reader's own are put aside."""
-    copies = list_copies()
-    if beginnings:
-        begins = tuple(re.sub(r"^\d$", r"0\g<0>", Path(name).name) for name in beginnings)
-        for name, begin in zip(beginnings, begins, strict=True):
-            if not any(copy.path.name.startswith(begin) for copy in copies):
-                there = ", ".join(copy.short for copy in copies if copy.path.parent == COPIES)
-                raise Trouble(f'There is no chapter "{name}"; there are {there}.')
-        copies = [copy for copy in copies if copy.path.name.startswith(begins)]
+    copies = clean_copies()
+    begins = [re.sub(r"^\d$", r"0\g<0>", Path(name).name) for name in beginnings]
+    for name, begin in zip(beginnings, begins, strict=True):
+        if not any(path.name.startswith(begin) for path in copies):
+            there = ", ".join(short(path) for path in copies if path.parent == COPIES)
+            raise Trouble(f'There is no chapter "{name}"; there are {there}.')
+    copies = {path: copies[path] for path in copies if path.name.startswith(tuple(begins) or "")}
     with alone():
-        for copy in copies:
-            if copy.state in (State.KEPT, State.BEHIND):
-                mend_save(copy.path)
-                aside = free_name(copy.path)
-                copy.path.rename(aside)
-                say(f"{copy.short}: yours is now {aside.relative_to(HOME)}.")
-                copy = copy._replace(state=State.MISSING)
-            if copy.state is not State.CLEAN:
-                place(copy)
-    what = ", ".join(copy.short for copy in copies) if beginnings else "all notebooks"
+        for path, clean in copies.items():
+            if state_of(path, clean) in (State.KEPT, State.BEHIND):
+                # JupyterLab, killed while it saves, leaves under this name what was there before.
+                before = path.with_name(f".~{path.name}")
+                for mine in filter(os.path.lexists, (before, path)):
+                    aside = free_name(path)
+                    mine.rename(aside)
+                    say(f"{short(path)}: yours is now {aside.relative_to(HOME)}.")
+    renew(copies)
+    what = ", ".join(map(short, copies)) if beginnings else "all notebooks"
     say(f"{COPIES.name} has clean copies of {what}.")
 
 
-def list_copies() -> list[Copy]:
-    """Compare the book with the copies; say which of its files are no notebooks."""
-    try:
-        language, copies = language_of(PYTHON), []
-        for original in sorted(BOOK.rglob("*.ipynb")):
-            if ".ipynb_checkpoints" not in original.parts:
+def renew(copies: dict[Path, str]) -> None:
+    """Write clean copies, but where somebody has worked in one by now."""
+    with alone():
+        for path, clean in copies.items():
+            if state_of(path, clean) is State.UNTOUCHED:
                 try:
-                    clean = clean_text(original.read_text("utf-8"), language)
-                except (ValueError, LookupError, TypeError):
-                    say(f"{original.relative_to(HOME)} is damaged and brings no copy.")
-                    continue
-                path = COPIES / original.relative_to(BOOK)
-                copies.append(Copy(path, state_of(path, clean), clean))
-    except OSError as error:
-        raise Trouble(f"{error.filename} cannot be read: {error.strerror}.") from error
+                    write(path, clean)
+                except (FileExistsError, NotADirectoryError) as error:
+                    what = f"{path.parent} is in the way of the copies: move it away"
+                    raise Trouble(f"{what} and run this again.") from error
+
+
+def clean_copies() -> dict[Path, str]:
+    """Return where the copies of the book's notebooks are, and what each has when it is clean."""
+    copies = {}
+    for path in sorted(BOOK.rglob("*.ipynb")):
+        if ".ipynb_checkpoints" not in path.parts:
+            try:
+                copies[COPIES / path.relative_to(BOOK)] = clean_text(path.read_text("utf-8"))
+            except (OSError, ValueError, LookupError, TypeError):
+                say(f"{path.relative_to(HOME)} is damaged and brings no copy.")
     if not copies:
         raise Trouble(f"The project is incomplete, get it afresh: {BOOK} has no notebooks.")
     return copies
 
 
-def language_of(python: Path) -> dict[str, Any]:
-    """Return what a kernel of this Python says of its language."""
-    asked = [str(python), "-I", "-S", "-c", "import sys; print(sys.version.split()[0])"]
-    version = subprocess.run(asked, check=True, capture_output=True, text=True).stdout.strip()
-    return {**LANGUAGE, "version": version}
-
-
-def clean_text(original: str, language: dict[str, Any]) -> str:
+def clean_text(original: str) -> str:
     """Return a notebook of the book as a copy has it."""
     notebook = json.loads(original)
     cells = [{**cell, "outputs": []} for cell in notebook["cells"]]
     # Outputs in the book are somebody's work: with them a copy counts as touched.
-    made_from = {KEY: fingerprint(cells), "language_info": language}
+    made_from = {KEY: fingerprint(cells), "language_info": LANGUAGE}
     notebook["metadata"] = {**notebook["metadata"], **made_from}
     return json.dumps(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
 
@@ -159,58 +139,27 @@ def fingerprint(cells: Iterable[dict[str, Any]]) -> str:
 def state_of(path: Path, clean: str) -> State:
     """Tell what is in the place of a copy; in doubt it is the reader's."""
     if not os.path.lexists(path):
-        return State.MISSING
-    if path.is_symlink() or not path.is_file():
-        return State.KEPT
+        return State.UNTOUCHED
     try:
-        text = path.read_text("utf-8")
+        text = "" if path.is_symlink() else path.read_text("utf-8")
         notebook = json.loads(text)
         made_from = notebook["metadata"][KEY]
         touched = fingerprint(notebook["cells"]) != made_from
-    except (ValueError, LookupError, TypeError):
+    except (OSError, ValueError, LookupError, TypeError):
         return State.KEPT
-    if text == clean:
-        return State.KEPT if touched else State.CLEAN
     if not touched:
-        return State.UNTOUCHED
+        return State.CLEAN if text == clean else State.UNTOUCHED
     return State.KEPT if made_from == json.loads(clean)["metadata"][KEY] else State.BEHIND
 
 
-def place(copy: Copy) -> None:
-    """Write a clean copy, unless somebody has been quicker."""
-    if state_of(copy.path, copy.clean) is copy.state:
-        try:
-            write(copy.path, copy.clean)
-        except OSError as error:
-            if error.errno in (errno.EEXIST, errno.ENOTDIR):
-                what = f"{copy.path.parent} is in the way of the copies: move it away"
-                raise Trouble(f"{what} and run this again.") from error
-            copy.path.with_name(copy.path.name + ".new").unlink(missing_ok=True)
-            raise
-
-
-def mend_save(path: Path) -> None:
-    """Bring back what was there before a save that was cut off.
-
-    JupyterLab, killed while it saves, leaves it under this name. It mends so itself when it opens
-    the notebook; under another name it would not.
-    """
-    before = path.with_name(f".~{path.name}")
-    if before.is_file():
-        try:
-            json.loads(path.read_text("utf-8"))
-        except (OSError, ValueError):
-            path.replace(path.with_name(f"{path.name}.invalid"))
-            before.rename(path)
+def short(path: Path) -> str:
+    """Return the name of a copy without folder and ending; of a chapter the number."""
+    return re.sub(r"(\d)_.*", r"\1", path.relative_to(COPIES).with_suffix("").as_posix())
 
 
 def free_name(path: Path) -> Path:
     """Return a name beside `path` with today's date that nothing has yet."""
-    today = time.strftime("%Y-%m-%d")
-    number = 1
-    while True:
-        end = f"-{number}" if number > 1 else ""
-        free = path.with_name(f"{path.stem}.{today}{end}{path.suffix}")
-        if not os.path.lexists(free):
-            return free
-        number += 1
+    start = f"{path.stem}.{time.strftime('%Y-%m-%d')}"
+    endings = chain([""], (f"-{number}" for number in count(2)))
+    names = (path.with_name(start + end + path.suffix) for end in endings)
+    return next(free for free in names if not os.path.lexists(free))

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -35,14 +36,14 @@ SYMPTOMS = {  # in the output of a failed step of uv or pip; the first that is f
         f"in a browser, or check pip's settings (pip config list), {AGAIN}"
     ),
     r"(\d{3} (?:Client|Server) Error[^\n]*|too many \d+ error responses)"
-    r"|credentials \((\d{3} [^)]*)|status (?:client|server) error \(([^)]*)": (
+    r"|(?:credentials|status (?:client|server) error) \((\d{3} [^)]*)|returned a (\d{3} \w+)": (
         f'The package index answers "{{}}": check pip\'s settings (pip config list) {AGAIN}'
     ),
-    r"connection broken|Max retries exceeded|timed out|error sending request|dns error": (
+    r"connection broken|Max retries|timed out|error sending request|dns error": (
         "The package index cannot be reached: check the network connection (and the proxy, if "
         f"there is one) {AGAIN}"
     ),
-    r"No matching distribution found for ([^\s;]+)": (
+    r"No matching distribution found for ([^\s;]+)|you require (\S+), we can conclude": (
         f"The package index has no ready-made {{}} for this computer and Python {VERSION}: check "
         "the connection and pip's settings (pip config list)."
     ),
@@ -54,9 +55,7 @@ class Trouble(Exception):
 
 
 class NoPackages(Trouble):
-    """Packages could not be fetched or installed; it carries what uv or pip printed."""
-
-    output = ""
+    """Packages could not be fetched or installed."""
 
 
 def say(text: str) -> None:
@@ -83,19 +82,12 @@ def catch_signals() -> None:
 @contextmanager
 def running(command: list[str], **options: Any) -> Iterator["subprocess.Popen[str]"]:
     """Run `command` in the project folder; it does not outlive the ``with`` block."""
-    options = {"env": surroundings(), "cwd": HOME, **options}
-    with subprocess.Popen(command, **options) as process:
+    with subprocess.Popen(command, **{"env": surroundings(), "cwd": HOME, **options}) as process:
         try:
             yield process
         finally:
-            signal.signal(signal.SIGINT, signal.SIG_IGN)  # an impatient second Ctrl-C
-            if os.name != "nt":  # Windows would not ask but kill; there Ctrl-C has asked already
-                process.terminate()
-            try:
-                process.wait(10)
-            except subprocess.TimeoutExpired:
-                process.kill()
-            catch_signals()
+            process.terminate()
+            process.wait()
 
 
 def run_step(command: list[str], env: dict[str, str] | None = None) -> None:
@@ -105,35 +97,22 @@ def run_step(command: list[str], env: dict[str, str] | None = None) -> None:
     """
     pipe: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
     pipe.update(stdin=subprocess.DEVNULL, encoding="utf-8", errors="replace")
-    output = ""
+    output, width = "", shutil.get_terminal_size().columns - 1
     env = env or surroundings()
     with LOG.open("w", encoding="utf-8") as log, running(command, env=env, **pipe) as process:
-        for line in process.stdout or ():
+        for line in chain(process.stdout or (), [""]):
             output += line
             print(line, end="", file=log, flush=True)
-            show(line.strip())
-        show("")
+            if sys.stdout and sys.stdout.isatty():
+                print(f"\r{line.strip():{width}.{width}}\r", end="", flush=True)
         code = process.wait()
     if code:
         raise diagnosis(output)
 
 
-def show(text: str) -> None:
-    """Put `text` on the last line of a terminal, where the next text takes its place."""
-    if sys.stdout and sys.stdout.isatty():
-        width = shutil.get_terminal_size().columns - 1
-        print(f"\r{text:{width}.{width}}\r", end="", flush=True)
-
-
-def diagnosis(output: str) -> Trouble:
-    """Return the Trouble that the output of failed steps tells of."""
-    trouble = NoPackages(f"The set-up failed; {LOG} tells why.")
+def diagnosis(output: str) -> NoPackages:
+    """Return the trouble that the output of a failed step tells of."""
     for pattern, sentence in SYMPTOMS.items():
-        found = re.search(pattern, output, re.I)
-        if found:
-            if sentence is DISK_FULL:
-                return Trouble(sentence)
-            trouble = NoPackages(sentence.format(*filter(None, found.groups())))
-            break
-    trouble.output = output or "nothing"
-    return trouble
+        if found := re.search(pattern, output, re.I):
+            return NoPackages(sentence.format(*filter(None, found.groups())))
+    return NoPackages(f"The set-up failed; {LOG} tells why.")

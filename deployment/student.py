@@ -4,6 +4,7 @@ What a student's kernel must compute with, the package, has to be in it, and wit
 in each exercise: whoever reads the source finds it. Left out is what shows it ready to read.
 """
 
+import argparse
 import json
 import re
 import sys
@@ -116,7 +117,9 @@ def _notebook(text: str, folder: PurePosixPath, known: set[str]) -> str:
 
 
 if __name__ == "__main__":
+    parser = argparse.ArgumentParser(prog="lab.py student", usage="python3 lab.py help student")
+    parser.add_argument("target", nargs="?", type=Path, default=HOME / "drift-lab-student.zip")
     try:
-        write_student_copy(Path(*sys.argv[1:]))
+        write_student_copy(parser.parse_args().target.absolute())
     except Trouble as trouble:
         sys.exit(str(trouble))

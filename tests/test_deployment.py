@@ -1,17 +1,12 @@
-"""What the page for a class says is there; which packages are fetched for which computer."""
+"""What the page for a class says is there."""
 
 import json
 import re
 import tomllib
-from pathlib import Path
 
-import pytest
 import student
-from bootstrap import offline
-from bootstrap.steps import Trouble
 from packaging.specifiers import SpecifierSet
 
-import lab
 from support import ROOT
 
 FOLDER = ROOT / "deployment"
@@ -48,41 +43,3 @@ def test_a_container_is_open_to_this_computer_and_asks_for_its_token() -> None:
     command = json.loads(DOCKERFILE.rpartition("\nCMD ")[2])
     assert not any("token" in part or "password" in part for part in command)
     assert DOCKERFILE.rindex("\nUSER student") > DOCKERFILE.rindex("\nRUN ")
-
-
-@pytest.mark.parametrize(
-    ("system", "some", "none"),
-    [
-        ("windows", {"colorama", "pywinpty"}, {"appnope", "pexpect", "ptyprocess"}),
-        ("mac", {"appnope", "pexpect"}, {"colorama", "pywinpty"}),
-        ("linux", {"pexpect"}, {"appnope", "colorama", "pywinpty"}),
-    ],
-)
-def test_each_system_is_sent_its_own_packages(system: str, some: set, none: set) -> None:
-    lines = list(offline.wanted(system, "3.12"))
-    names = {line.partition("==")[0] for line in lines}
-    assert names >= some | {"numpy", "jupyterlab", "flit-core"}
-    assert not names & (none | {"overrides"}), "overrides is for Python 3.11"
-    assert all(" --hash=sha256:" in line and ";" not in line for line in lines)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "says"),
-    [
-        (
-            ["--python", "3.13.1", "--system", "linux"],
-            'expected a version like "3.12", got "3.13.1"',
-        ),
-        (["--python", "3.99"], "needs --system, too"),
-    ],
-)
-def test_what_cannot_be_fetched_is_refused(arguments: list[str], says: str, tmp_path: Path) -> None:
-    with pytest.raises(Trouble, match=says):
-        offline.main([str(tmp_path / "wheels"), *arguments])
-    assert not (tmp_path / "wheels").exists()
-
-
-def test_wheels_need_a_folder() -> None:
-    for arguments in ([], ["--system", "windows"]):
-        with pytest.raises(Trouble, match="Say where to put them"):
-            lab.wheels(arguments)

@@ -11,7 +11,6 @@ import time
 import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager
-from importlib import import_module
 from pathlib import Path
 from runpy import run_path
 from typing import NamedTuple
@@ -24,9 +23,7 @@ from pages import FOLDER, NOTEBOOKS
 
 # Starts JupyterLab as lab.py does: its token comes from DRIFTLAB_TOKEN and wins over any
 # configuration that switches tokens off.
-run_path(str(FOLDER.parent / "lab.py"), run_name="lab")  # it says where its modules are
-STARTER = import_module("bootstrap.server")
-SERVER, JUPYTER = STARTER.SERVER, STARTER.JUPYTER
+SERVER = FOLDER.parent / "bootstrap/server.py"
 
 
 class Server(NamedTuple):
@@ -70,29 +67,23 @@ def book_server(folder: Path) -> Iterator[Server]:
     environment = {
         **{name: value for name, value in os.environ.items() if not name.startswith("JUPYTER")},
         "JUPYTER_CONFIG_DIR": str(folder / "config"),
-        "JUPYTER_CONFIG_PATH": str(JUPYTER),
+        "JUPYTER_CONFIG_PATH": str(SERVER.with_name("jupyter")),
         "JUPYTER_RUNTIME_DIR": str(folder / "runtime"),
         "JUPYTER_DATA_DIR": str(folder / "data"),
         "JUPYTERLAB_SETTINGS_DIR": str(folder / "settings"),
         "JUPYTERLAB_WORKSPACES_DIR": str(folder / "workspaces"),
         "IPYTHONDIR": str(folder / "ipython"),
-        "DRIFTLAB_STYLE": str(JUPYTER / "custom"),
         "DRIFTLAB_TOKEN": token,
     }
     command = [
-        *[sys.executable, "-c", SERVER, "--no-browser", f"--ServerApp.root_dir={root}"],
-        *["--ServerApp.ip=127.0.0.1", f"--ServerApp.port={port}", "--ServerApp.port_retries=0"],
+        *[sys.executable, "-P", str(SERVER), "--no-browser", f"--ServerApp.root_dir={root}"],
+        f"--ServerApp.port={port}",
         # So that a test can ask the application for its notebook and its kernel.
         "--LabApp.expose_app_in_browser=True",
-        "--LabApp.custom_css=True",
     ]
-    if os.name != "nt" and os.geteuid() == 0:
-        command.append("--allow-root")
     log = folder / "server.log"
     with log.open("wb") as output:
-        server = subprocess.Popen(
-            command, env=environment, stdin=subprocess.PIPE, stdout=output, stderr=output
-        )
+        server = subprocess.Popen(command, env=environment, stdout=output, stderr=output)
     try:
         wait_for(server, f"{address}/api/status", token, log)
         yield Server(address, token, book)
@@ -103,18 +94,17 @@ def book_server(folder: Path) -> Iterator[Server]:
         except subprocess.TimeoutExpired:  # it waits for kernels that nobody needs any more
             server.kill()
             server.wait()
-        server.stdin.close()
 
 
 def serve_copies(folder: Path) -> None:
     """Write the copies of all notebooks that a reader has."""
-    from bootstrap.copies import clean_text, language_of  # since lab.py was run, they are found
+    run_path(str(FOLDER.parent / "lab.py"), run_name="lab")  # it says where its modules are
+    from bootstrap.copies import clean_text
 
-    language = language_of(Path(sys.executable))
     for path in NOTEBOOKS:
         copy = folder / path.relative_to(FOLDER)
         copy.parent.mkdir(parents=True, exist_ok=True)
-        copy.write_text(clean_text(path.read_text("utf-8"), language), "utf-8")
+        copy.write_text(clean_text(path.read_text("utf-8")), "utf-8")
 
 
 def wait_for(server: subprocess.Popen[bytes], url: str, token: str, log: Path) -> None:

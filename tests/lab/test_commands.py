@@ -40,24 +40,14 @@ def test_help_knows_every_command_once(capsys: pytest.CaptureFixture[str]) -> No
         lab.main(["help", "nothing"])
 
 
-@pytest.mark.parametrize("configured", [True, False])
 def test_test_checks_everything_and_ends_with_pytest(
-    checks: SimpleNamespace,
-    configured: bool,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    checks: SimpleNamespace, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    tool = {"importlinter": {}} if configured else {}
-    monkeypatch.setattr(checks.lab, "project", lambda: {"tool": tool})
     assert checks.lab.main(["test"]) == 1
-    assert [command[1] for command in checks.ran if command[0] == "-m"] == [
-        "ruff",
-        "mypy",
-        "pytest",
-    ]
-    assert any("importlinter" in " ".join(command) for command in checks.ran) == configured
-    assert checks.ran[-1][2:6] == ["-n", "3", "--dist", "loadgroup"]
-    assert "--durations=10" in checks.ran[-1]
+    ruff, mypy, linter, tests = checks.ran
+    assert (ruff, mypy, tests[1]) == (["-m", "ruff", "check"], ["-m", "mypy"], "pytest")
+    assert "importlinter" in linter[1]
+    assert tests[2:6] == ["-n", "3", "--dist", "loadgroup"]
     assert re.fullmatch(r"mypy failed; \d+ min \d+ s in all\n", capsys.readouterr().out)
 
 
@@ -81,8 +71,20 @@ def test_arguments_of_test_go_to_pytest_alone(checks: SimpleNamespace) -> None:
     assert checks.ran[1][2:] == [*checks.lab.QUICK, "-x"]
 
 
+def test_tests_of_the_site_are_those_in_its_folder(
+    checks: SimpleNamespace, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DRIFTLAB_SITE", str(tmp_path))
+    for chosen in ([], ["-x"], ["tests/site/test_pages.py"]):
+        checks.lab.main(["test", "--site", *chosen])
+    assert [ran[-1] for ran in checks.ran] == ["tests/site", "tests/site", chosen[0]]
+    monkeypatch.setenv("DRIFTLAB_SITE", str(tmp_path / "none"))
+    with pytest.raises(checks.lab.Trouble, match="There is no site to test"):
+        checks.lab.main(["test", "--site"])
+
+
 @pytest.mark.parametrize("works", [True, False])
-def test_programs_to_compare_with_are_fetched_within_the_pins(
+def test_packages_to_compare_with_are_fetched_within_the_pins(
     checks: SimpleNamespace,
     works: bool,
     monkeypatch: pytest.MonkeyPatch,
@@ -90,53 +92,56 @@ def test_programs_to_compare_with_are_fetched_within_the_pins(
 ) -> None:
     fetched: list[str] = []
 
-    def run_step(command: list[str], env: dict[str, str]) -> None:
-        fetched.extend(command)
+    def install(folder: Path, packages: list[str]) -> None:
+        fetched.extend(word.split()[0] for word in packages)
         if not works:
             raise checks.lab.NoPackages("There is no network.")
 
-    monkeypatch.setattr(checks.lab, "installers", lambda folder: iter([(["uv"], {})]))
-    monkeypatch.setattr(checks.lab, "run_step", run_step)
-    assert checks.lab.main(["bench", "filter", "--repeats", "5"]) == 0
-    peers = {"python-ins", "ahrs", "numpy-quaternion", "filterpy", "navtk"}
-    assert peers <= {word.split()[0] for word in fetched}
+    monkeypatch.setattr(checks.environment, "install", install)
+    assert checks.environment.with_extras("bench", "peers") == checks.lab.PYTHON
+    assert {"python-ins", "ahrs", "navtk", "polars"} <= set(fetched)
     assert any(word.startswith("numpy==") for word in fetched)  # the pins stay
-    assert checks.ran == [["benchmarks/bench.py", "filter", "--repeats", "5"]]
     assert capsys.readouterr().out.endswith("compare with.\n") == (not works)
-    assert checks.lab.main(["peers"]) == 0
-    assert {"distributed", "polars"} <= {word.split()[0] for word in fetched}
-    assert checks.ran[-1] == ["-m", "pytest", "benchmarks"]
 
 
-@pytest.mark.parametrize("option", ["-h", "--help"])
-def test_who_asks_for_help_fetches_nothing(option: str, checks: SimpleNamespace) -> None:
-    assert checks.lab.main(["bench", option]) == 0
-    [asked] = checks.ran
-    assert asked[1:] == [option]
-
-
-def test_paths_of_a_class_are_seen_from_where_the_caller_is(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, checks: SimpleNamespace
+def test_programs_see_paths_as_the_caller_does(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    seen: list[object] = []
-
-    def run(*arguments: str, cwd: Path) -> int:
-        seen.extend([cwd, *arguments[-3:]])
-        return 0
-
-    monkeypatch.setattr(checks.lab, "run", run)
+    lab, ran = load(ROOT).lab, []
+    monkeypatch.setattr(lab, "run", lambda *words, **options: ran.append((words, options)))
     monkeypatch.chdir(tmp_path)
-    checks.lab.main(["class", "mine", "--output=there"])
-    assert seen == [Path.cwd(), "class", "mine", "--output=there"]
-    with pytest.raises(checks.lab.Trouble, match="Say what to read"):
-        checks.lab.main(["class"])
+    python = Path("there/bin/python")
+    lab.program(lambda: python, "-m", "driftlab.book", "class")(["mine", "--output=there"])
+    ((words, options),) = ran
+    assert words == ("-m", "driftlab.book", "class", "mine", "--output=there")
+    assert options == {"python": python, "cwd": Path.cwd()}
 
 
-def test_the_quick_tests_run_with_packages_of_another_age(checks: SimpleNamespace) -> None:
+def test_the_quick_tests_run_with_packages_of_another_age(
+    checks: SimpleNamespace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(checks.environment, "of_age", lambda age: Path(age, "bin/python"))
     for arguments in ([], ["tests/drift"]):
-        assert checks.lab.quick_tests(lambda: Path("there/bin/old"), arguments) == 0
+        assert checks.lab.main(["newest", *arguments]) == 0
     whole, chosen = checks.ran
     assert {*checks.lab.QUICK, *checks.lab.AT_ONCE} <= set(whole)
     assert set(checks.lab.QUICK) <= set(chosen)
     assert chosen[-1] == "tests/drift"
     assert "loadgroup" not in chosen
+
+
+def test_wheels_are_fetched_for_this_computer_and_for_others(
+    checks: SimpleNamespace, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert checks.lab.main(["wheels", str(tmp_path)]) == 0
+    assert checks.lab.main(["wheels", str(tmp_path), "--system=mac", "--python=3.12"]) == 0
+    own, chosen, other = checks.ran
+    assert own[-2:] == ["-r", "environment.txt"]
+    assert {"aarch64-apple-darwin", "3.12", "--generate-hashes"} <= set(chosen)
+    assert {"--platform", "macosx_14_0_arm64", "3.12", "wheels.new"} <= set(other)
+    for ran in (own, other):
+        assert {"--require-hashes", "--only-binary=:all:", str(tmp_path)} <= set(ran)
+    for wrong in ([], [str(tmp_path), "--python=3.99"]):
+        with pytest.raises(SystemExit):
+            checks.lab.main(["wheels", *wrong])
+    assert "needs --system, too" in capsys.readouterr().err

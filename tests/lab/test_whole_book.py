@@ -1,42 +1,24 @@
 """lab.py, run as a reader runs it, on the whole book."""
 
-import ast
 import json
 import os
 import re
 import shutil
 import signal
-import socket
 import subprocess
 import sys
-import threading
 import urllib.error
-import urllib.request
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from jupyter_client import BlockingKernelClient
-from tiny_project import ROOT, WITH_UV, command
+from tiny_project import ROOT, WITH_UV, ask, command, refuses, told_by_a_kernel
+
+MADE = (".git", ".venv*", ".jupyter", ".setup.*", "__pycache__", "build", "my-book", "_site")
 
 
-def copy_of_the_project(folder: Path) -> Path:
-    """Copy what git would clone, with the present contents of the files."""
-    if not (ROOT / ".git").exists():
-        pytest.skip("this is not a git checkout, so there is nothing to clone")
-    listing = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
-    names = subprocess.run(listing, cwd=ROOT, capture_output=True, check=True).stdout
-    for name in filter(None, names.decode("utf-8").split("\0")):
-        if (ROOT / name).exists():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(ROOT / name, folder / name)
-    return folder
-
-
-@contextmanager
-def opened(folder: Path, **variables: str) -> Iterator[subprocess.Popen[str]]:
-    """Run ``lab.py --no-browser`` for the ``with`` block."""
+def opened(stack: ExitStack, folder: Path, variables: dict[str, str]) -> subprocess.Popen[str]:
+    """Run ``lab.py --no-browser``."""
     process = subprocess.Popen(
         command(folder, "--no-browser"),
         env={**os.environ, **variables},
@@ -45,14 +27,9 @@ def opened(folder: Path, **variables: str) -> Iterator[subprocess.Popen[str]]:
         encoding="utf-8",
         start_new_session=True,  # so that Ctrl-C can be sent as a terminal does: to all in it
     )
-    too_long = threading.Timer(900, process.terminate)
-    too_long.start()
-    with process:
-        try:
-            yield process
-        finally:
-            too_long.cancel()
-            process.terminate()
+    stack.enter_context(process)
+    stack.callback(process.terminate)
+    return process
 
 
 def address_of(process: subprocess.Popen[str]) -> tuple[str, str]:
@@ -64,65 +41,58 @@ def address_of(process: subprocess.Popen[str]) -> tuple[str, str]:
             break
     if "package index cannot be reached" in said and "CI" not in os.environ:
         pytest.skip("the package index cannot be reached")
-    page = r"(http://127\.0\.0\.1:\d+)/lab/tree/my-book/00_start_here\.ipynb\?token=(\w{48})\n"
+    page = r"(http://127\.0\.0\.1:\d+)/lab/tree/my-book/00_start_here\.ipynb\?(token=\w{48})\n"
     found = re.search(page, said)
     assert found, said
     return found[1], found[2]
-
-
-def ask(url: str, token: str = "", method: str = "GET") -> object:
-    """Return what the server answers."""
-    headers = {"Authorization": f"token {token}"} if token else {}
-    request = urllib.request.Request(url, headers=headers, method=method)
-    direct = urllib.request.build_opener(urllib.request.ProxyHandler({}))
-    with direct.open(request, timeout=60) as answer:
-        return json.load(answer)
 
 
 @pytest.mark.setup
 @pytest.mark.xdist_group("book")
 def test_the_book_opens_on_a_machine_that_never_saw_it(tmp_path: Path) -> None:
     """It is even started twice at once, all that can mislead it is there, and a HOME is not."""
-    folder = copy_of_the_project(tmp_path / "Дрейф #1, lab")
+    folder = tmp_path / "Дрейф #1, lab"
+    shutil.copytree(ROOT, folder, ignore=shutil.ignore_patterns(*MADE))
     for name in ("config", "misleading", "stranger/kernels/python3"):
         (tmp_path / name).mkdir(parents=True)
-    (tmp_path / "misleading/jupyterlab.py").write_text("1 / 0\n", "utf-8")
+    for name in ("driftlab", "jupyterlab", "pip", "zmq"):
+        (tmp_path / f"misleading/{name}.py").write_text("1 / 0\n", "utf-8")
     careless = "c.IdentityProvider.token = ''\nc.ServerApp.ip = '0.0.0.0'\nc.ServerApp.port = 1\n"
     (tmp_path / "config/jupyter_server_config.py").write_text(careless, "utf-8")
     stranger = {"argv": ["nothing"], "display_name": "strange", "language": "python"}
     (tmp_path / "stranger/kernels/python3/kernel.json").write_text(json.dumps(stranger), "utf-8")
+    misleading = str(tmp_path / "misleading")
+    cache = [sys.executable, "-m", "uv", "cache", "dir"]
     variables = {
+        **dict.fromkeys(("PYTHONPATH", "VIRTUAL_ENV", "CONDA_PREFIX"), misleading),
         "JUPYTER_CONFIG_DIR": str(tmp_path / "config"),
         "JUPYTER_RUNTIME_DIR": str(tmp_path / "runtime"),
         "JUPYTER_PATH": str(tmp_path / "stranger"),
         "JUPYTER_PREFER_ENV_PATH": "0",
-        "IPYTHONDIR": str(tmp_path / "ipython"),
-        "PYTHONPATH": str(tmp_path / "misleading"),
         "PYTHONHOME": sys.base_prefix,
-        "VIRTUAL_ENV": str(tmp_path / "misleading"),
-        "CONDA_PREFIX": str(tmp_path / "misleading"),
         "HOME": str(tmp_path / "home"),
-        "UV_CACHE_DIR": cache_of_uv(),  # the one thing that is kept elsewhere
+        # The one thing that is kept elsewhere.
+        "UV_CACHE_DIR": subprocess.check_output(cache, encoding="utf-8").strip(),
         "PATH": WITH_UV,
     }
-    with opened(folder, **variables) as process, opened(folder, **variables) as second:
+    with ExitStack() as stack:
+        process, second = (opened(stack, folder, variables) for _ in "12")
         base, token = address_of(process)
-        other, _ = address_of(second)
-        assert other != base
+        assert address_of(second)[0] != base
 
         with pytest.raises(urllib.error.HTTPError, match="403") as refusal:
             ask(f"{base}/api/contents")
         refusal.value.close()
-        with pytest.raises(OSError):  # noqa: PT011 - refused or without a route, by system
-            socket.create_connection(("127.0.0.2", int(base.rpartition(":")[2])), timeout=5)
+        assert refuses("127.0.0.2", base.rpartition(":")[2])
 
-        notebook = ask(f"{base}/api/contents/my-book/00_start_here.ipynb", token)
+        notebook = ask(f"{base}/api/contents/my-book/00_start_here.ipynb?{token}")
         assert notebook["content"]["cells"]
         assert notebook["writable"]
 
-        kernel = ask(f"{base}/api/kernels", token, "POST")
+        kernel = ask(f"{base}/api/kernels?{token}", "POST")
         connection = tmp_path / f"runtime/kernel-{kernel['id']}.json"
-        assert path_of_the_package(connection) == folder / "src/driftlab/__init__.py"
+        there = told_by_a_kernel(connection, "import driftlab", "driftlab.__file__")
+        assert Path(there) == folder / "src/driftlab/__init__.py"
         assert "curve_publickey" in json.loads(connection.read_text("utf-8"))  # it is encrypted
 
         if os.name != "nt":  # Windows has no way to send Ctrl-C from here
@@ -134,28 +104,3 @@ def test_the_book_opens_on_a_machine_that_never_saw_it(tmp_path: Path) -> None:
                 assert "Traceback" not in last
             assert not list((tmp_path / "runtime").glob("jpserver-*"))
     assert not list((tmp_path / "home").glob("*"))
-
-
-def cache_of_uv() -> str:
-    asked = [sys.executable, "-m", "uv", "cache", "dir"]
-    return subprocess.run(asked, capture_output=True, text=True, check=True).stdout.strip()
-
-
-def path_of_the_package(connection_file: Path) -> Path:
-    """Ask the kernel which `driftlab` it imports."""
-    client = BlockingKernelClient()
-    client.load_connection_file(str(connection_file))
-    client.start_channels()
-    try:
-        # Not wait_for_ready: it takes a kernel for dead whose heart is late by one second.
-        reply = client.execute(
-            "import driftlab",
-            user_expressions={"path": "driftlab.__file__"},
-            reply=True,
-            timeout=120,
-        )
-    finally:
-        client.stop_channels()
-    assert reply["content"]["status"] == "ok", reply["content"]
-    path = reply["content"]["user_expressions"]["path"]["data"]["text/plain"]
-    return Path(ast.literal_eval(path))

@@ -1,17 +1,20 @@
-"""A project so small that lab.py sets it up in seconds, and how tests run lab.py in it."""
+"""A project so small that lab.py sets it up in a second, and how tests run lab.py in it."""
 
 import hashlib
 import importlib
 import importlib.util
+import json
 import os
 import shutil
+import socket
 import subprocess
 import sys
-import time
+import urllib.request
 import zipfile
-from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
+
+from jupyter_client import BlockingKernelClient
 
 ROOT = Path(__file__).resolve().parents[2]
 NO_INDEX = {  # a port where nobody listens, whatever pip is configured to use otherwise
@@ -33,8 +36,14 @@ backend-path = ["."]
 [project]
 name = "driftlab"
 version = "0"
+dependencies = []
 
-[tool]
+[project.optional-dependencies]
+book = []
+site = []
+
+[tool.uv.pip]
+extra = ["book"]
 """
 TINY_BACKEND = """\
 import zipfile
@@ -52,25 +61,18 @@ def build_editable(folder, config_settings=None, metadata_directory=None):
 """
 TINY_JUPYTERLAB = """\
 import os
+from types import SimpleNamespace
 
 class LabApp:
-    port, default_url = 8888, "/lab"
-
-    class web_app:
-        settings = {"static_custom_path": []}
-
-    @classmethod
-    def initialize_server(cls, argv):
-        if "JUPYTER_RUNTIME_DIR" in os.environ:
-            os.makedirs(os.environ["JUPYTER_RUNTIME_DIR"], exist_ok=True)
-        cls.io_loop = cls
-        return cls
-
-    def add_callback(act):
-        act()
-
-    def start():
-        pass
+    def initialize_server(arguments):
+        os.makedirs(os.environ.get("JUPYTER_RUNTIME_DIR", "."), exist_ok=True)
+        return SimpleNamespace(
+            port=8888,
+            default_url="/lab",
+            web_app=SimpleNamespace(settings={"static_custom_path": []}),
+            io_loop=SimpleNamespace(add_callback=lambda act, *words, **options: act(*words)),
+            start=lambda: None,
+        )
 """
 PARTS = ("environment", "steps", "copies", "installer", "server")
 
@@ -101,18 +103,18 @@ def command(folder: Path, *arguments: str, python: str = sys.executable) -> list
     return [python, str(folder / "lab.py"), *arguments]
 
 
+def around(**variables: str | None) -> dict[str, str]:
+    """Variables of a run without an index; one that is None is taken away."""
+    found = {**os.environ, **NO_INDEX, "PATH": WITH_UV, **variables}
+    return {name: value for name, value in found.items() if value is not None}
+
+
 def run(folder: Path, *arguments: str, **variables: str | None) -> SimpleNamespace:
-    """Run lab.py from a directory that is not its own, without an index; see `run_as`."""
-    return run_as(command(folder, *arguments), **{**NO_INDEX, "PATH": WITH_UV, **variables})
-
-
-def run_as(called: list[str], **variables: str | None) -> SimpleNamespace:
-    """Run a command; no traceback may appear. A variable that is None is taken away."""
-    environment = {**os.environ, **variables}
+    """Run lab.py from a directory that is not its own; no traceback may appear."""
     done = subprocess.run(
-        called,
+        command(folder, *arguments),
         cwd=ROOT.anchor,
-        env={name: value for name, value in environment.items() if value is not None},
+        env=around(**variables),
         capture_output=True,
         encoding="utf-8",
         timeout=900,
@@ -134,28 +136,40 @@ def make_tiny(folder: Path) -> Path:
     (folder / "src/driftlab/book.py").write_text("print('figures drawn')\n", "utf-8")
     (folder / "src/jupyterlab/labapp.py").write_text(TINY_JUPYTERLAB, "utf-8")
     (folder / "src/zmq.py").write_text("def has(feature):\n    return True\n", "utf-8")
-    (folder / "environment.txt").write_text(load(folder).environment.lock_line(), "utf-8")
+    (folder / "environment.txt").write_text("# no packages\n", "utf-8")
     return folder
 
 
-def comes_true(condition: Callable[[], object], seconds: float = 60) -> bool:
-    """Wait until a condition holds; tell whether it did."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return False
+def ask(url: str, method: str = "GET", content: object = None) -> object:
+    """Return what a server answers."""
+    request = urllib.request.Request(url, method=method, data=json.dumps(content).encode())
+    direct = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+    with direct.open(request, timeout=60) as answer:
+        return json.load(answer)
 
 
-def is_alive(process: int) -> bool:
-    """Tell whether a process runs; one that has ended and that nobody asked for does not."""
+def told_by_a_kernel(connection_file: Path, code: str, expression: str) -> str:
+    """Run code in a kernel, and return an expression as it has it."""
+    client = BlockingKernelClient()
+    client.load_connection_file(str(connection_file))
+    client.start_channels()
     try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    state = Path(f"/proc/{process}/stat")
-    return not state.exists() or state.read_text().rpartition(")")[2].split()[0] != "Z"
+        # Not wait_for_ready: it takes a kernel for dead whose heart is late by one second.
+        asked = {"user_expressions": {"it": expression}, "reply": True, "timeout": 120}
+        reply = client.execute(code, **asked)["content"]
+    finally:
+        client.stop_channels()
+    assert reply["status"] == "ok", reply
+    return reply["user_expressions"]["it"]["data"]["text/plain"].strip("'")
+
+
+def refuses(host: str, port: str) -> bool:
+    """Tell whether nobody listens there."""
+    try:
+        socket.create_connection((host, int(port)), timeout=5).close()
+    except OSError:  # refused or without a route, by system
+        return True
+    return False
 
 
 def listed(folder: Path, lines: str) -> Path:
