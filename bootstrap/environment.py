@@ -58,7 +58,7 @@ def read_stamp(folder: Path = VENV) -> dict[str, Any]:
 def runs() -> bool:
     """Tell whether the environment was finished once, and its Python runs."""
     call = [str(PYTHON), "-I", "-S", "-c", ""]
-    return "size" in read_stamp() and PYTHON.exists() and not subprocess.call(call)
+    return "environment" in read_stamp() and PYTHON.exists() and not subprocess.call(call)
 
 
 def site_packages(venv: Path) -> Path:
@@ -84,7 +84,7 @@ def reason_to_build() -> str:
         raise Trouble(f"{VENV} was not made by lab.py: move it away and run this again.")
     if found != {**found, **wanted_stamp(ENVIRONMENT)}:
         return "The project or Python has changed since the last set-up; updating the environment."
-    if not runs() or size_of(VENV) < found["size"]:  # more is what the user has added
+    if not runs() or size_of(VENV) < found.get("size", 0):  # more is what the user has added
         return "The environment is damaged; making it again."
     return ""
 
