@@ -137,5 +137,8 @@ def fetch_uv() -> None:
     if not WANTED.exists() or not python_of(TOOLS).exists():
         make_venv(TOOLS, pip=True)
     WANTED.write_text("".join(UV.findall(ENVIRONMENT.read_text("utf-8"))), "utf-8")
-    with suppress(NoPackages):  # there is none for this computer, or pip will tell the trouble
+    try:
         run_step([*pip(), "install", *PINNED, str(WANTED)], variables())
+    except NoPackages as trouble:  # there is none for this computer, else
+        if "cannot be reached" in str(trouble):
+            raise
