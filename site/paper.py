@@ -9,12 +9,15 @@ import argparse
 import sys
 from pathlib import Path, PurePosixPath
 
+import nbformat
+
 import examination
 from addresses import PDF
 from examination import print_examination
-from executed import executed, notebooks
+from executed import FOLDER, executed, notebooks
 from pdf.contents import label
 from pdf.make import Look, make_handout, make_pdf
+from pdf.sheet import sheet
 from unfinished import Unfinished
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -27,10 +30,11 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="lab.py print", usage="python3 lab.py help print")
     parser.add_argument("names", nargs="*")
     parser.add_argument("--no-code", dest="with_code", action="store_false")
+    parser.add_argument("--exercises", dest="kind", action="store_const", const="exercises")
     parser.add_argument("--edition", help="of the examination: the text that its numbers are from")
     parser.add_argument("--paper", choices=("a4", "us-letter"), default="a4")
     options = parser.parse_args(arguments)
-    look = Look(options.paper, options.with_code)
+    look = Look(options.paper, options.with_code, options.kind or "notebook")
     names = options.names
     try:
         if options.edition is not None:
@@ -63,8 +67,10 @@ def found(asked: str, names: list[str]) -> str:
 
 def printed(names: list[str], look: Look) -> list[Path]:
     """Print notebooks, one file each, or the whole book if none is named; return the files."""
-    how = "" if look.with_code else "-without-code"
+    how = "-exercises" if look.kind == "exercises" else "" if look.with_code else "-without-code"
     if not names:
+        if look.kind == "exercises":
+            raise Unfinished("Name the chapters whose exercises you want, as in: print 03 04.")
         target = PRINTED / f"{PurePosixPath(PDF).stem}{how}.pdf"
         make_pdf(executed(), BUILD, target, look)
         return [target]
@@ -74,7 +80,8 @@ def printed(names: list[str], look: Look) -> list[Path]:
             'print --edition "a term, and a word of your own".'
         )
     targets = []
-    for name, shown in executed(names).items():
+    runs = {name: sheet(nbformat.read(FOLDER / name, as_version=4)) for name in names}  # type: ignore[no-untyped-call]
+    for name, shown in (runs if look.kind == "exercises" else executed(names)).items():
         targets.append(PRINTED / f"{label(name)}{how}.pdf")
         make_handout(name, shown, BUILD, targets[-1], look)
     return targets

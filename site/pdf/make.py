@@ -37,7 +37,7 @@ class Look(NamedTuple):
 
     paper: str = "a4"  # its name in Typst, "a4" or "us-letter"
     with_code: bool = True  # whether what the cells gave has their code above it
-    # a "notebook"; the sheet of an "examination", or the "scheme" for who marks it
+    # a "notebook", "exercises" to be written on, an "examination" or its "scheme"
     kind: str = "notebook"
 
 
