@@ -63,12 +63,8 @@ AT_ONCE += ["--max-worker-restart=2"]
 OF_DIFFERENT_AGE = [
     *["-W", "ignore::DeprecationWarning"],
     *["-W", "error:Passing unrecognized arguments:DeprecationWarning"],
-    # The page's stand-in has what ipywidgets 8 has; a slider of 7 has no tooltip.
-    "--deselect=tests/site/test_widgets_standin.py::test_shows_the_same",
 ]
 LONG = ("browser", "kernel", "long", "setup", "slow")
-# Of the site and of a class, which only some change: .ci/run tries them by name.
-ELSEWHERE = ["--ignore=tests/site", "--ignore=tests/class"]
 QUICK = ["--hypothesis-profile=quick", "-m", " and ".join(f"not {mark}" for mark in LONG)]
 COMPILE = ("-m", "uv", "pip", "compile", "--quiet")
 # Of a system what uv calls it, and the names of its wheels. Of Linux all names up to the glibc of
@@ -141,7 +137,7 @@ def test(arguments: list[str]) -> int:
     linter = "from importlinter.cli import lint_imports_command; lint_imports_command()"
     checks = {"ruff": ["-m", "ruff", "check"], "mypy": ["-m", "mypy"]}
     # pytest comes last so that its summary closes the output.
-    tests = ["-m", "pytest", *AT_ONCE, *ELSEWHERE, *(marks or ("-m", "not long"))]
+    tests = ["-m", "pytest", *AT_ONCE, *(marks or ("-m", "not long"))]
     checks |= {"import-linter": ["-c", linter], "pytest": tests}
     codes = {name: run(*command) for name, command in checks.items()}
     failed = [name for name, code in codes.items() if code]

@@ -1,9 +1,14 @@
 """What several tests of answers in the page use: one exercise's form, and values of a panel."""
 
-PATIENCE = 240_000
-"""Milliseconds that Python may take to come on a busy machine."""
+from lively import PATIENCE
+
 REACH = {f"m{i}{j}": 2 for i in (1, 2, 3) for j in (1, 2, 3)} | {"azimuth": 45, "elevation": 35}
 """Values of the panel of exercise 3.2 that answer it."""
+FORMULA = (
+    "import numpy as np\n\ndef answer(M):\n"
+    "    return 2 * np.pi * np.linalg.eigvalsh((M + M.T) / 2)[-1]\n"
+)
+"""What answers exercise 3.5."""
 
 
 class Form:

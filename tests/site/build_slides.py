@@ -1,4 +1,4 @@
-"""Makes the slides of some chapters in a folder, with and without code.
+"""Makes the slides of some chapters in a folder, of the last with its code, too.
 
 ``python build_slides.py FOLDER NOTEBOOK ...`` with the Python of the site.
 """
@@ -6,13 +6,16 @@
 import sys
 from pathlib import Path
 
+import nbformat
+
 sys.path.insert(0, str(Path(__file__).parents[2] / "site"))
 
-from executed import executed
+from executed import KEPT
 from slides.make import slides
 
 folder = Path(sys.argv[1])
-for name, notebook in executed(sys.argv[2:]).items():
-    for code in (False, True):
+for name in sys.argv[2:]:
+    notebook = nbformat.read(KEPT / name, as_version=4)
+    for code in (False, True)[: 1 + (name == sys.argv[-1])]:
         target = folder / f"{Path(name).stem}{'-code' if code else ''}.html"
         target.write_text(slides(notebook, Path(name).stem, code), "utf-8")

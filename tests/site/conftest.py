@@ -11,7 +11,7 @@ from pathlib import Path
 from urllib.request import urlopen
 
 import pytest
-from served import served
+from served import linked, served
 from visitor import visit
 
 from live.brought import OFFICIAL, bring, digest_of
@@ -88,6 +88,22 @@ def all_here(distribution, official, tmp_path_factory) -> Path:
     made = tmp_path_factory.mktemp("self-contained") / "pyodide"
     make_packages(bring(KEPT), KEPT, made, distribution)
     return made
+
+
+@pytest.fixture(scope="session")
+def own_address(request, site, tmp_path_factory) -> Iterator[str]:
+    """Where a site is served that needs no network, if Pyodide's distribution is at hand.
+
+    It has all of Pyodide in the place of what the lock of the other leaves elsewhere.
+    """
+    if not os.environ.get("DRIFTLAB_PYODIDE"):
+        request.getfixturevalue("packages")
+        yield request.getfixturevalue("address")
+        return
+    own = linked(site, tmp_path_factory.mktemp("own") / "site", without="live/static/pyodide")
+    (own / "live/static/pyodide").symlink_to(request.getfixturevalue("all_here"))
+    with served(own) as address:
+        yield address
 
 
 @pytest.fixture(scope="session")

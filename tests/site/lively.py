@@ -3,14 +3,13 @@
 import json
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
-from in_place_page import page_of
 from notebook_page import answer
 
 from driftlab.book.machinery.panel.panel import Explorer
-from driftlab.book.machinery.panel.still import plain_values
+from driftlab.book.machinery.panel.still import plain_values, still
 
 PATIENCE = 240_000
 """Milliseconds that Python may take to begin on a busy machine; it is waited for no longer."""
@@ -19,6 +18,24 @@ PATIENCE = 240_000
 def figure_of(page, panel_class: type[Explorer], number: int = 0):
     """The place of a panel in a page."""
     return page.locator(f"figure[data-panel={panel_class.__name__}]").nth(number)
+
+
+def page_of(panels: Iterable[Explorer]) -> str:
+    """HTML of a page with the stills of panels, as chapters have them, and the one script."""
+    stills = [
+        still(*panel.view.still(), panel.page.alt, type(panel).__name__, panel.values)
+        for panel in panels
+    ]
+    return f"""<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<link rel="icon" href="data:,">
+<style>body {{ font: 16px/1.5 sans-serif; max-width: 46em; margin: auto; padding: 0 1em; }}</style>
+<body data-theme="auto">
+{"".join(f"<div>{each}</div><p>More of the chapter.</p>" for each in stills)}
+<script src="in_place/begin.js"></script>
+"""
 
 
 def show(page, address: str, *panels: Explorer) -> None:

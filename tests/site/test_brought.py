@@ -12,102 +12,66 @@ from live.make import reason_not
 from live.versions import VERSIONS
 from unfinished import Unfinished
 
-DIGESTS = VERSIONS["pyodide"]["sha256"]
-
-
-def program(folder, name, text):
-    """A program of a folder, which a shell runs."""
-    path = folder / name
-    path.write_text(f"#!/bin/sh\n{text}\n", "utf-8")
-    path.chmod(0o755)
-
-
-def npm_brings(programs, files):
-    """An npm that brings a package of some files."""
-    packed = programs / "packed"
-    packed.mkdir(exist_ok=True)
-    for name, data in files.items():
-        (packed / name).write_bytes(data)
-    mkdir, copy = (shutil.which(name, path="/usr/bin:/bin") for name in ("mkdir", "cp"))
-    place = '"${3#--prefix=}/node_modules"'
-    program(programs, "npm", f'{mkdir} {place}\n{copy} -r "{packed}" {place}/pyodide')
+pytestmark = pytest.mark.xdist_group("site")
 
 
 @pytest.fixture
-def programs(tmp_path, monkeypatch) -> Path:
-    """The folder that programs are looked for in, and no other; empty."""
+def program(tmp_path, monkeypatch):
+    """Puts a program of a shell into the one folder where programs are looked for."""
     if os.name == "nt":
         pytest.skip("the stand-ins are scripts of a shell")
     folder = tmp_path / "programs"
     folder.mkdir()
     monkeypatch.setenv("PATH", str(folder))
-    return folder
+
+    def put(name: str, text: str) -> None:
+        (folder / name).write_text(f"#!/bin/sh\n{text}\n", "utf-8")
+        (folder / name).chmod(0o755)
+
+    return put
 
 
-def test_without_node_a_sentence_says_so(programs, tmp_path):
-    assert reason_not(tmp_path) == (
-        "The site is not made: that needs Node.js, which is not installed."
-    )
-
-
-def test_an_old_node_is_named(programs, tmp_path):
-    program(programs, "node", "echo v12.1.0")
-    assert reason_not(tmp_path).endswith("needs Node.js 18; this is v12.1.0.")
-
-
-def test_without_npm_or_its_network_a_sentence_says_so(programs, tmp_path):
-    program(programs, "node", "echo v20.0.0")
-    begin = "The site is not made: npm does not bring pyodide@"
-    assert reason_not(tmp_path).startswith(begin)
-    program(programs, "npm", "echo no network >&2; exit 1")
-    assert reason_not(tmp_path).startswith(begin)
+def test_without_node_or_npm_or_its_network_a_sentence_says_so(program, tmp_path):
+    begin = "The site is not made: "
+    assert reason_not(tmp_path) == f"{begin}that needs Node.js, which is not installed."
+    program("node", "echo v12.1.0")
+    assert reason_not(tmp_path) == f"{begin}that needs Node.js 18; this is v12.1.0."
+    program("node", "echo v20.0.0")
+    assert reason_not(tmp_path).startswith(f"{begin}npm does not bring pyodide@")
+    program("npm", "echo no network >&2; exit 1")
     assert reason_not(tmp_path).endswith("no network")
 
 
-def test_other_contents_than_those_published_are_refused(programs, tmp_path):
-    npm_brings(programs, dict.fromkeys(DIGESTS, b"other"))
-    with pytest.raises(Unfinished, match=r"other contents than versions\.toml says"):
-        bring_runtime(tmp_path / "runtime")
-    assert not (tmp_path / "runtime").exists()
-
-
 @pytest.fixture
-def package(programs, monkeypatch) -> dict[str, bytes]:
+def package(program, tmp_path, monkeypatch) -> dict[str, bytes]:
     """Small files in place of the runtime's, as npm brings them and versions.toml has them."""
-    files = {name: name.encode() for name in DIGESTS}
-    npm_brings(programs, files)
+    files = {name: name.encode() for name in VERSIONS["pyodide"]["sha256"]}
+    (tmp_path / "packed").mkdir()
+    for name, data in files.items():
+        (tmp_path / "packed" / name).write_bytes(data)
+    mkdir, copy = (shutil.which(name, path="/usr/bin:/bin") for name in ("mkdir", "cp"))
+    place = '"${3#--prefix=}/node_modules"'
+    program("npm", f'{mkdir} {place}\n{copy} -r "{tmp_path}/packed" {place}/pyodide')
     digests = {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}
     monkeypatch.setitem(VERSIONS["pyodide"], "sha256", digests)
     return files
 
 
-def there(folder):
-    return {path.name: path.read_bytes() for path in folder.iterdir()}
-
-
-def test_a_runtime_that_is_kept_whole_is_not_brought_again(package, programs, tmp_path):
-    folder = tmp_path / "kept/runtime"
+def test_a_runtime_is_brought_whole_once_and_anew_if_it_is_spoilt(package, program, tmp_path):
+    folder: Path = tmp_path / "kept/runtime"
+    for spoilt in ("", "missing", "changed"):
+        if spoilt:
+            (folder / OFFICIAL).unlink()
+        if spoilt == "changed":
+            (folder / OFFICIAL).write_bytes(b"other")
+        bring_runtime(folder)
+        assert {path.name: path.read_bytes() for path in folder.iterdir()} == package
+        assert list(folder.parent.iterdir()) == [folder], "nothing is left beside it"
+    program("npm", "exit 1")
     bring_runtime(folder)
-    assert there(folder) == package
-    assert list(folder.parent.iterdir()) == [folder], "nothing is left beside it"
-    program(programs, "npm", "exit 1")
-    bring_runtime(folder)
 
 
-@pytest.mark.parametrize("name", DIGESTS)
-@pytest.mark.parametrize("spoilt", ["missing", "changed"])
-def test_a_runtime_that_is_not_whole_is_brought_anew(spoilt, name, package, programs, tmp_path):
-    folder = tmp_path / "kept/runtime"
-    bring_runtime(folder)
-    (folder / name).unlink()
-    if spoilt == "changed":
-        (folder / name).write_bytes(b"other")
-    bring_runtime(folder)
-    assert there(folder) == package
-    assert list(folder.parent.iterdir()) == [folder]
-
-
-def test_a_package_whose_files_are_others_is_refused(package, monkeypatch, tmp_path):
+def test_other_contents_than_those_published_are_refused(package, monkeypatch, tmp_path):
     monkeypatch.setitem(VERSIONS["pyodide"]["sha256"], OFFICIAL, "0" * 64)
     with pytest.raises(Unfinished, match=r"other contents than versions\.toml says"):
         bring_runtime(tmp_path / "kept/runtime")

@@ -1,27 +1,115 @@
-"""The site as built, in a browser: nothing from elsewhere, nothing too wide, search."""
+"""Pages of the site: all of them as they are written, and one of each kind in a browser."""
+
+import gzip
+import html
+import re
+from urllib.parse import unquote
 
 import pytest
+from notebook_page import answer
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("site")]
-WIDTHS = (390, 768, 1280)
+browser = pytest.mark.browser
+pytestmark = pytest.mark.xdist_group("site")
+WIDTHS = (390, 683, 1366)
+KINDS = (
+    "index",
+    "08_system_calibration",
+    "solutions/06_picard_algorithms",
+    "ledger/larin",
+    "reference/index",
+    "reference/modules/calibration.filter",
+    "gallery/index",
+    "glossary",
+    "docs/using",
+    "lab_sheet",
+    "licences",
+)
+"""A page of each kind; of chapters the longest."""
+WEIGHT = 60_000
+"""Bytes of a page, packed as servers send it."""
+HEAVY = {"06_picard_algorithms": 75_000, "08_system_calibration": 80_000}
+"""The two longest chapters: their words, code and numbers alone are more than 40 kB."""
+UNREAD = re.compile(r"<(script|style)\b([^>]*)>.*?</\1>|<!--.*?-->", re.S)
+ATTRIBUTE = re.compile(r"""\s(id|href|src)=(?:"([^"]*)"|'([^']*)')""")
+UNSET = """(formulas) => formulas.filter((tex) => {
+  try {
+    return MathJax.tex2mml(tex).includes("merror");
+  } catch (error) {
+    return true;
+  }
+})"""
 
 
-def own_pages(site):
-    """Pages of the site's own, from the folder down; the live book's are JupyterLite's."""
-    left_out = {"live"}
-    return [path for path in sorted(site.rglob("*.html")) if not left_out & {*path.parts}]
+@pytest.fixture(scope="module")
+def texts(site) -> dict:
+    """All pages, by path."""
+    return {path: path.read_text("utf-8") for path in sorted(site.rglob("*.html"))}
 
 
-def test_every_page_fits_the_screen_and_sets_its_formulas(site, address, page):
-    for path in own_pages(site):
-        name = path.relative_to(site).as_posix()
-        page.goto(f"{address}/{name}")
+def test_every_link_leads_somewhere_and_nothing_is_asked_of_other_places(site, texts):
+    places, links, dead = {}, {}, []
+    for path, text in texts.items():
+        inside = UNREAD.sub(r"<\1\2>", text)
+        places[path], links[path] = set(), set()
+        for tag in re.findall(r"<[a-z][^>]*>", inside):
+            for name, double, single in ATTRIBUTE.findall(tag):
+                value = html.unescape(double or single)
+                if name == "id":
+                    places[path].add(value)
+                elif not re.match(r"[a-z]+:|//", value):
+                    links[path].add(unquote(value))
+                elif not tag.startswith("<a ") and re.match(r"http|//", value):
+                    dead.append(f"{path.relative_to(site)}: {tag}")
+    for path, found in links.items():
+        for link in found:
+            file, _, place = link.partition("#")
+            target = (path.parent / file.partition("?")[0]).resolve() if file else path
+            there = target.exists() and (not place or place in places[target])
+            if notebook := re.search(r"live/lab/index\.html\?path=(.+)$", link):
+                there = there and (site / "live/files" / notebook[1]).exists()
+            dead += [] if there else [f"{path.relative_to(site)}: {link}"]
+    for path in site.rglob("*.css"):
+        elsewhere = re.findall(r"(?:url\(|@import)\s*['\"]?(?:https?:)?//", path.read_text("utf-8"))
+        dead += [f"{path.relative_to(site)}: {each}" for each in elsewhere]
+    assert dead == []
+    assert sum(map(len, links.values())) > 10_000
+
+
+def test_pages_are_light(site, texts):
+    for path, text in texts.items():
+        if "<article" in text and "_modules" not in path.parts:
+            assert "| --- |" not in text, path
+            packed = len(gzip.compress(text.encode()))
+            assert packed < HEAVY.get(path.stem, WEIGHT), path.relative_to(site)
+
+
+@browser
+def test_every_formula_of_every_page_can_be_set(texts, address, kept_page):
+    formulas = {
+        tex
+        for text in texts.values()
+        for math in re.findall(r'<(?:span|div) class="[^"]*\bmath\b[^>]*>([^<]*)', text)
+        for pair in re.findall(r"\\\((.*?)\\\)|\\\[(.*?)\\\]", html.unescape(math), re.S)
+        for tex in pair
+        if tex
+    }
+    assert len(formulas) > 1000
+    kept_page.goto(f"{address}/solutions/01_rotation_and_error_kinematics.html")
+    answer(kept_page, "async () => void (await window.MathJax.startup.promise)")
+    assert kept_page.evaluate(UNSET, [r"\frac{", "x"]) == [r"\frac{"]
+    assert kept_page.evaluate(UNSET, sorted(formulas)) == []
+
+
+@browser
+def test_a_page_of_each_kind_fits_the_screen_and_sets_its_formulas(address, kept_page):
+    page = kept_page
+    for name in KINDS:
+        page.goto(f"{address}/{name}.html")
         if page.locator(".math").count():
             page.wait_for_function("document.querySelector('mjx-container') !== null")
-            page.wait_for_function("MathJax.startup.promise.then(() => true)")
-        if (site / "in_place").exists():  # forms come by themselves, and fetch no Python
-            for room in page.locator("div.exercise[data-exercise]").all():
-                room.locator("form").first.wait_for(state="attached")
+            answer(page, "async () => void (await window.MathJax.startup.promise)")
+        for room in page.locator("div.exercise[data-exercise]").all():
+            room.locator("form").first.wait_for(state="attached")  # they fetch no Python
         page.evaluate("document.querySelectorAll('details').forEach(fold => { fold.open = true; })")
         for width in WIDTHS:
             page.set_viewport_size({"width": width, "height": 900})
@@ -31,50 +119,31 @@ def test_every_page_fits_the_screen_and_sets_its_formulas(site, address, page):
         assert page.complaints == [], name
 
 
-@pytest.mark.parametrize("name", ["index.html", "03_systematic_drift.html", "ledger/larin.html"])
-def test_a_page_from_a_disk_reads_without_complaint(site, page, name):
-    page.goto((site / name).as_uri())
-    if page.locator(".math").count():
-        page.wait_for_function("document.querySelector('mjx-container') !== null")
-        page.wait_for_function("MathJax.startup.promise.then(() => true)")
+@browser
+def test_a_page_from_a_disk_reads_without_complaint(site, page):
+    page.goto((site / "03_systematic_drift.html").as_uri())
+    page.locator("mjx-container").first.wait_for()
+    page.get_by_role("link", name="Worked solution").first.click()
+    page.wait_for_url("**/solutions/03_systematic_drift.html#solution-3-1")
     assert page.complaints == []
 
 
-@pytest.mark.parametrize(
-    ("words", "found"),
-    [
-        ("drift_per_revolution", "driftlab.drift.drift_per_revolution"),
-        ("observability", "calibration.unobservable_subspace"),
-        ("sculling", "attitude.sculling"),
-        ("gyrocompassing", "gyrocompass.align"),
-        ("bias instability", "noise_terms.fit_noise_terms"),
-        ("attitude from rates", "sampled_rates.increments_from_rates"),
-        ("align", "gyrocompass.align"),
-        ("ZUPT", "recordings.static_intervals"),
-        ("DataFrame", "recordings.from_dataframe"),
-    ],
-)
-def test_the_search_finds_what_a_reader_looks_for(site, page, words, found):
-    page.goto((site / "index.html").as_uri())
-    page.locator("input[name=q]").first.fill(words)
-    page.keyboard.press("Enter")
-    page.locator("ul.search li").first.wait_for()
-    page.wait_for_function("document.querySelector('p.search-summary')?.textContent.includes('.')")
-    first = page.locator("ul.search li").all_inner_texts()[:6]  # glossary and tasks before it
-    assert any(found in text for text in first), first
+@browser
+def test_a_chapter_is_read_on_a_phone(address, page):
+    page.set_viewport_size({"width": 390, "height": 844})
+    page.goto(f"{address}/03_systematic_drift.html")
+    following, before = (page.locator(f".{name}-page").bounding_box() for name in ("next", "prev"))
+    assert before["y"] >= following["y"] + following["height"]
+    assert min(before["height"], following["height"]) >= 44
+    picture = page.locator(".driftlab-figure a.picture").first
+    file = picture.locator("img").get_attribute("src")
+    picture.click()
+    page.wait_for_url(f"**/{file}")
+    assert page.complaints == []
 
 
-def test_the_search_leads_to_the_section_of_a_task(site, page):
-    page.goto((site / "search.html").as_uri() + "?q=gyrocompassing")
-    title = "I want the heading from my log at rest, by gyrocompassing"
-    found = page.locator("ul.search li a", has_text=title).first
-    found.wait_for()
-    address = found.get_attribute("href")
-    assert address.startswith("i_want_to.html#i-want-the-heading-from-my-log-at-rest")
-
-
-def test_recipes_show_their_whole_lines(site, page):
-    page.set_viewport_size({"width": 1280, "height": 900})
-    page.goto((site / "i_want_to.html").as_uri())
-    beyond = "cells => cells.filter(cell => cell.scrollWidth > cell.clientWidth).length"
-    assert page.locator("div.cell_input pre").evaluate_all(beyond) == 0
+@browser
+def test_a_link_into_a_folded_section_unfolds_it(site, page):
+    page.goto((site / "05_cayley_and_riccati.html").as_uri() + "#chapter-05-the-matrix-of-1-6")
+    page.locator("h4", has_text="The matrix of (1.6)").wait_for(state="visible")
+    assert page.locator("details.folded[open]").count() == 1
