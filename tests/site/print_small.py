@@ -27,6 +27,8 @@ WAITS = "<div role='status'>Exercise 3.1: not answered yet.</div>"
 ASKED = ("03", f"notebooks/{CHAPTER}", "lab_sheet", "solutions/03")
 REFUSED = (
     ["14"],
+    ["--exercises"],
+    ["12", "--exercises"],
     ["0"],
     ["instructors/examination"],
     ["--edition", " "],
@@ -64,6 +66,8 @@ if __name__ == "__main__":
         ("short", small(2), Look(paper="us-letter", with_code=False)),
     ):
         make_handout(CHAPTER, notebook, folder, folder / f"{name}.pdf", look)
+    sheet = paper.sheet(nbformat.read(paper.FOLDER / CHAPTER, as_version=4))
+    make_handout(CHAPTER, sheet, folder, folder / "exercises.pdf", Look(kind="exercises"))
     print_examination(EDITION, folder, folder, "a4")
     found = {asked: paper.found(asked, notebooks()) for asked in ASKED}
     print(json.dumps({"found": found, "refusals": [*map(refusal, REFUSED)]}))

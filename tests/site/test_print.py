@@ -10,6 +10,7 @@ import pytest
 from pypdfium2 import raw
 from test_pdf import SIDES, links_of, text_of, words
 
+from driftlab.book.exercises import all_exercises, hints_of
 from driftlab.book.instructors.examination import exam_paper
 from executed import notebooks
 from pdf.contents import OUTSIDE, part_of
@@ -85,6 +86,18 @@ def test_a_short_handout_without_code_has_what_the_code_gave(printed):
     assert not any(inside for inside, _ in links_of(document)), "which is not there"
 
 
+def test_a_sheet_has_every_exercise_and_none_of_its_hints(printed):
+    document = printed("exercises")
+    text = words("".join(texts(document)))
+    assert all(words(number) in text for number in all_exercises("03"))
+    assert text.count("Tickthe") + text.count("Youranswer,") == len(all_exercises("03"))
+    for helps in hints_of("03").values():
+        for hint in (helps.nudge, helps.idea, helps.model):
+            plain = [each for each in re.split(r"[$`*.?:\[]", hint) if len(each) > 40]
+            assert not any(words(each) in text for each in plain), hint
+    assert_within_the_margins(document, (50, 542))  # a frame has the space behind a line
+
+
 def test_an_examination_is_a_sheet_and_a_scheme_and_no_question_goes_on_overleaf(printed):
     exam = exam_paper(EDITION)
     questions = (*exam.compulsory, *exam.by_choice)
@@ -113,6 +126,6 @@ def test_a_notebook_is_known_by_how_it_begins_and_a_refusal_is_one_sentence(made
     assert list(made[1]["found"].values()) == [
         *(CHAPTER, CHAPTER, "lab_sheet.ipynb", f"solutions/{CHAPTER}"),
     ]
-    assert [len(said.splitlines()) for said in made[1]["refusals"]] == [1] * 5
+    assert [len(said.splitlines()) for said in made[1]["refusals"]] == [1] * 7
     outside = {name for name in notebooks() if part_of(name) is OUTSIDE}
     assert outside == {"instructors/examination.ipynb"}
