@@ -115,7 +115,7 @@ def test_progress_and_failures_come_out(workers):
         run_batches(lambda rng, size: 1 / 0, 9, seed=0, batch_size=2, workers=workers)
 
 
-@pytest.mark.parametrize("workers", [1, 2])
+@pytest.mark.parametrize("workers", [1, pytest.param(2, marks=pytest.mark.long)])
 def test_an_interruption_keeps_what_was_done(workers, tmp_path):
     def stop(size):
         raise KeyboardInterrupt

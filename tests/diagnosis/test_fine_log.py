@@ -103,7 +103,7 @@ DOUBTS = {
 @pytest.mark.parametrize(
     "slip",
     [
-        pytest.param(slip, marks=pytest.mark.long if k % 2 else pytest.mark.slow)
+        pytest.param(slip, marks=pytest.mark.long if k % 3 else pytest.mark.slow)
         for k, slip in enumerate(DOUBTS)
     ],
 )
