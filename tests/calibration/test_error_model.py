@@ -242,3 +242,9 @@ def test_threads_are_given_the_same_model():
             assert len({id(model) for model in found}) == 1
     finally:
         sys.setswitchinterval(before)
+
+
+def test_a_model_in_a_signature_is_one_short_line():
+    assert repr(FULL) == "<ErrorModel of 30 states, any body axes>"
+    larger = ERROR_MODELS["averaged"].with_states("time skew")
+    assert repr(larger) == "<ErrorModel of 28 states, axes 'averaged', with time skew>"

@@ -244,3 +244,10 @@ def test_condensed_steps_predict_and_correct_as_those_one_after_the_other(lead):
     first, second = steps
     np.testing.assert_allclose(second.after(first.after(covariance)), expected, rtol=1e-10)
     np.testing.assert_allclose(first.then(second).after(covariance), expected, rtol=1e-10)
+
+
+def test_measurement_without_any_spread_is_refused():
+    with pytest.raises(
+        ValueError, match=r"^noise: expected .* spread .*, got .* without an inverse"
+    ):
+        correct(**{"covariance": np.zeros((4, 4))} | MEASURED | {"noise": np.zeros((2, 2))})

@@ -12,10 +12,12 @@ from driftlab.calibration.calibration_history import BEYOND
 from driftlab.diagnosis import (
     _ORDERS,
     _headed,
+    _interval_slip,
     _Judge,
     _levelled,
     _other_starts,
     _rescaled,
+    _turned,
 )
 from driftlab.earth import gravity
 from driftlab.imu import ImuNoise, PriorStandardDeviations
@@ -153,3 +155,31 @@ def test_orders_are_all_signed_permutations_but_none_at_all():
         np.testing.assert_array_equal(matrix, rows)
         flipped = np.array_equal(matrix, np.diag([1, -1, -1]))
         assert ("forward, right, down" in name) == flipped
+
+
+@pytest.mark.parametrize(
+    ("interval", "ratio", "words"),
+    [
+        (10.0, 1.05e-3, "interval: milliseconds taken for seconds"),
+        (1e4, 0.95e-6, "interval: microseconds taken for seconds"),
+        (0.1, 2.0, "0.2 s instead of 0.1 s, by gravity, or accelerometers with that error of sca"),
+        (0.1, 0.5, "0.05 s instead of 0.1 s, by gravity, or accelerometers with that error of s"),
+        (0.1, 1 - 3.1e-7 * 2000, "by gravity, or a place 2000 m high"),
+        (0.1, 1 - 3.1e-7 * 9100, "accelerometers with that error of scale"),
+        (0.1, 1 + 1e-4, "accelerometers with that error of scale"),
+    ],
+)
+def test_an_interval_that_gravity_contradicts_is_explained(interval, ratio, words):
+    assert words in _interval_slip(interval, ratio)
+
+
+@pytest.mark.parametrize(
+    ("turn", "words"),
+    [
+        ([0.0, 0.0, -5.0], "a heading wrong by 5 degrees"),
+        ([0.3, 0.3, 5.0], "a heading wrong by 5 degrees"),
+        ([3.0, 0.0, 4.0], "an attitude wrong by 5 degrees"),
+    ],
+)
+def test_a_wrong_start_is_one_of_heading_where_it_hardly_tilts(turn, words):
+    assert _turned(np.array(turn)) == f"start: {words}"

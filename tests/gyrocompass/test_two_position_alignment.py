@@ -303,3 +303,16 @@ def test_where_nothing_is_known_the_deviation_is_that_of_any_heading():
     assert alignment_standard_deviation(LATITUDE, 300.0, 0.003) == nothing
     assert two_position_standard_deviation(LATITUDE, 300.0, 0.003) == nothing
     assert inertial_alignment_standard_deviation(LATITUDE, 300.0, 0.003) == nothing
+
+
+def test_deviations_refuse_what_has_no_meaning():
+    with pytest.raises(ValueError, match=r"turn_angle: expected angles .* got 360 degrees"):
+        two_position_standard_deviation(LATITUDE, 60.0, 1e-7, 2 * np.pi)
+    with pytest.raises(ValueError, match=r"turn_angle: expected rad, .* got 180\."):
+        two_position_standard_deviation(LATITUDE, 60.0, 1e-7, [np.pi, 180.0])
+    with pytest.raises(ValueError, match="gyro_bias: expected a number of at least 0, got -1"):
+        alignment_standard_deviation(LATITUDE, 60.0, 1e-7, gyro_bias=-1.0)
+    with pytest.raises(ValueError, match="duration: expected numbers above 0, got 0"):
+        alignment_standard_deviation(LATITUDE, [60.0, 0.0], 1e-7)
+    with pytest.raises(ValueError, match="latitude: expected at most"):
+        two_position_standard_deviation(np.pi / 2, 60.0, 1e-7)
