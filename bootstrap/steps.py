@@ -112,6 +112,7 @@ def run_step(command: list[str], env: dict[str, str] | None = None) -> None:
 
 def diagnosis(output: str) -> NoPackages:
     """Return the trouble that the output of a failed step tells of."""
+    output = re.sub(r"\n {8,}", " ", output)  # where uv breaks a line
     for pattern, sentence in SYMPTOMS.items():
         if found := re.search(pattern, output, re.I):
             return NoPackages(sentence.format(*filter(None, found.groups())))

@@ -7,6 +7,7 @@ from hypothesis.extra.numpy import arrays
 
 from driftlab.imu import (
     NO_ERRORS,
+    TYPICAL_ERRORS,
     ImuErrors,
     ImuNoise,
     PriorStandardDeviations,
@@ -161,3 +162,19 @@ def test_a_bare_tuple_is_refused():
 def test_a_mean_rate_is_over_a_time():
     with pytest.raises(ValueError, match=r"^increments\.interval: expected a positive"):
         _ = Increments(0.0, np.ones((2, 3)), np.ones((2, 3))).mean_rate
+
+
+def test_noise_comes_on_top_of_what_is_said():
+    noise, imu_errors = ImuNoise(1e-3, 1e-2), TYPICAL_ERRORS
+    true = Increments(0.1, np.ones((5, 3)), 2 * np.ones((5, 3)))
+    plain = measure(true, imu_errors)
+    noisy = measure(true, imu_errors, noise, np.random.default_rng(7))
+    alone = measure(
+        Increments(0.1, np.zeros((5, 3)), np.zeros((5, 3))),
+        NO_ERRORS,
+        noise,
+        np.random.default_rng(7),
+    )
+    for total, plain_part, random in zip(noisy[1:], plain[1:], alone[1:], strict=True):
+        assert (random != 0).all()
+        np.testing.assert_allclose(total - plain_part, random, rtol=0, atol=8 * EPS)

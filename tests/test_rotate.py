@@ -6,6 +6,7 @@ from hypothesis import given
 from scipy.spatial.transform import Rotation
 
 from driftlab.quaternion import (
+    from_rotation_vector,
     rotate,
     to_matrix,
 )
@@ -40,3 +41,10 @@ def test_a_quaternion_of_any_norm_and_sign_is_scipys_rotation(norm, q, vector):
 def test_a_zero_quaternion_is_no_rotation(function):
     with pytest.raises(ValueError, match=r"^quaternion: expected nonzero quaternions, got a zero"):
         function([0, 0, 0, 0])
+
+
+@given(vectors())
+def test_axis_of_a_rotation_has_the_same_components_in_both_frames(rotation_vector):
+    turned = rotate(from_rotation_vector(rotation_vector), rotation_vector)
+    size = np.linalg.norm(rotation_vector)
+    np.testing.assert_allclose(turned, rotation_vector, rtol=0, atol=8 * EPS * size)

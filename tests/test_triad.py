@@ -302,3 +302,16 @@ def test_an_attitude_error_known_at_three_attitudes_shows_the_misalignment():
     assert np.linalg.matrix_rank(design) == 3
     found = np.linalg.lstsq(design, np.concatenate(errors[1:]), rcond=None)[0]
     np.testing.assert_allclose(found, kappa, rtol=1e-6)
+
+
+@given(matrices(0.5))
+def test_parts_add_up_to_the_matrix(matrix):
+    # Halves of entries up to 1/2, added and subtracted.
+    np.testing.assert_allclose(sum(split_error_matrix(matrix)), matrix, rtol=0, atol=2 * EPS)
+
+
+@given(vectors(), vectors())
+def test_skew_matrix_is_the_cross_product(vector, other):
+    np.testing.assert_allclose(
+        cross_matrix(vector) @ other, np.cross(vector, other), rtol=0, atol=400 * EPS
+    )

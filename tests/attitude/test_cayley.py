@@ -540,3 +540,31 @@ def test_rest_where_rounding_decides(angle, then):
         expected = from_rotation_vector(np.outer(angles, AXIS))
         np.testing.assert_allclose(solution.attitude, expected, rtol=0, atol=AFTER_REST)
         assert np.linalg.norm(solution.vector, axis=-1).max() <= SWITCH + INTEGRATED
+
+
+@given(st.floats(-3.14, 3.14), directions())
+def test_dimension_3_is_minus_the_tangent_of_half_the_angle(angle, direction):
+    axis = direction / np.linalg.norm(direction)
+    size = np.tan(angle / 2)
+    np.testing.assert_allclose(
+        cayley_vector(turn(angle, axis), 3),
+        -size * axis,
+        rtol=8 * EPS,
+        atol=TINY + 2 * (1 + size**2) * EPS * abs(angle),
+    )
+
+
+def test_quaternion_matrix_of_half_a_turn_is_no_exception():
+    np.testing.assert_array_equal(
+        cayley_transform(right_matrix([1, 0, 0, 0])), skew_operator([-1, 0, 0])
+    )
+
+
+@pytest.mark.parametrize("angle", [0.1, 3.0, np.pi, 6.0])
+def test_shadow_belongs_to_the_angle_less_a_turn(angle):
+    k = -np.tan(angle / 4) * AXIS
+    expected = -np.tan((angle - 2 * np.pi) / 4) * AXIS
+    # Quarter angles up to pi/2, good to an eps, and d tan = 1 + tan^2; the shadow divides by tan^2.
+    np.testing.assert_allclose(
+        shadow(k), expected, rtol=0, atol=4 * (1 + 1 / np.tan(angle / 4) ** 2) * EPS
+    )

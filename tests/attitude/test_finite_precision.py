@@ -247,3 +247,10 @@ def test_answer_is_in_the_word(update):
 def test_bad_vectors_are_refused(rotation_vector, vectors, words):
     with pytest.raises(ValueError, match=rf"^vectors: expected {words}"):
         step_finite_word(vectors, rotation_vector=rotation_vector)
+
+
+@pytest.mark.parametrize("start", STARTS, ids=str)
+def test_complement_does_as_small_terms_first_where_the_scalar_part_is_stored_as_one(start):
+    """1 - l0 is 3e-15 here: whether it is kept or not is nothing beside an eps of 1e-7."""
+    first, complement = (drift_at_earth_rate(name, start) for name in UPDATES[1:3])
+    assert complement == pytest.approx(first, rel=0.01)

@@ -231,3 +231,14 @@ def test_process_noise_has_the_spread_of_navigated_noise():
     values = np.linalg.svd(white / np.sqrt(runs), compute_uv=False)
     # As for the prior, and 1 % for 40 steps in place of white noise.
     assert np.abs(values - 1).max() < np.sqrt(6 / runs) + np.sqrt(28 / runs) + 0.01
+
+
+def test_process_noise_has_leading_axes():
+    rng = np.random.default_rng(12)
+    forces, durations = rng.normal(size=(2, 4, 3, 3)), rng.uniform(1, 2, size=(2, 4))
+    together = process_noise(NOISE, forces, durations)
+    assert together.shape == (2, 4, 6, 6)
+    for index in np.ndindex(2, 4):
+        alone = process_noise(NOISE, forces[index], durations[index])
+        np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
+        assert np.linalg.eigvalsh(alone)[0] > -1e-15

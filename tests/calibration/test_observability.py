@@ -330,3 +330,15 @@ def test_any_axes_end_with_the_reduction_of_the_same_covariance(frame):
     np.testing.assert_allclose(
         found / np.outer(sizes, sizes), expected / np.outer(sizes, sizes), rtol=0, atol=1e-7
     )
+
+
+@every_scheme
+def test_unobservable_directions_leave_the_velocity_alone(scheme):
+    way = linearize_along(scheme, LATITUDE)
+    unobservable = unobservable_subspace(way).directions
+    seen = observability_matrix(way) * typical_sizes(way)
+    shown = np.linalg.norm(observability_matrix(way) @ unobservable.T, axis=0)
+    assert (shown < 1e-12 * np.linalg.norm(seen, 2)).all()
+    # They are directions of unit length in typical sizes, across each other.
+    scaled = unobservable / typical_sizes(way)
+    np.testing.assert_allclose(scaled @ scaled.T, np.eye(3), rtol=0, atol=64 * EPS)

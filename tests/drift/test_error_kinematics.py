@@ -157,3 +157,8 @@ def test_triad_matrix_follows_from_the_error_at_any_one_time():
     apparent = multiply(from_rotation_vector(rates * time), errors)
     measured = to_rotation_vector(apparent) / time
     np.testing.assert_allclose(np.linalg.solve(rates, measured).T, triad, rtol=0, atol=50 * EPS)
+
+
+@given(vectors(), vectors())
+def test_no_time_no_error(rate, measured_rate):
+    np.testing.assert_array_equal(error_quaternion(rate, measured_rate, 0), IDENTITY)

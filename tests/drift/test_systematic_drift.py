@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, strategies as st
 from scipy.linalg import expm
+from scipy.spatial.transform import Rotation
 
 from driftlab.drift.characteristic_equation import (
     asymptotic_roots,
@@ -22,7 +23,7 @@ from driftlab.drift.systematic_drift import (
     drift_per_revolution,
     principal_drifts,
 )
-from driftlab.quaternion import from_rotation_vector
+from driftlab.quaternion import from_rotation_vector, rotate
 from driftlab.triad import (
     measured_rate,
     non_orthogonality,
@@ -351,3 +352,21 @@ def test_exact_principal_drifts_are_the_singular_values_less_one(error_matrix):
     np.testing.assert_allclose(axes @ axes.T, np.eye(3), rtol=0, atol=16 * EPS)
     at_axes = _exact_drift_coefficient(axes, error_matrix)
     np.testing.assert_allclose(at_axes, coefficients, rtol=0, atol=1e3 * EPS)
+
+
+def test_rate_error_is_fixed_in_the_body_and_turns_with_it():
+    """In N it goes round omega; of its sum over a turn only the part along omega is left."""
+    count = 64
+    times = 2 * np.pi / np.linalg.norm(RATE) * np.arange(count) / count
+    error = measured_rate(RATE, BENT) - RATE
+    in_fixed_frame = rotate(from_rotation_vector(RATE * times[:, np.newaxis]), error)
+    turned = Rotation.from_rotvec(RATE * times[:, np.newaxis]).apply(error)
+    np.testing.assert_allclose(in_fixed_frame, turned, rtol=0, atol=16 * EPS)
+    along = drift_coefficient(RATE, BENT) * RATE
+    np.testing.assert_allclose(in_fixed_frame.mean(axis=0), along, rtol=0, atol=count * EPS)
+
+
+def test_roots_and_drift_agree():
+    measured = measured_rate(RATE, BENT)
+    drift = _exact_drift_coefficient(RATE, BENT) * np.linalg.norm(RATE)
+    assert exact_roots(RATE, measured)[2].imag == pytest.approx(drift, abs=8 * EPS)

@@ -438,3 +438,10 @@ def test_covariance_with_rates_is_that_of_the_design():
 def test_fit_of_a_real_table_refuses(settings, sentence):
     with pytest.raises(ValueError, match=sentence):
         fit_turns(np.zeros(8), EIGHT, **settings)
+
+
+def test_one_turn_in_a_hundred_steps_is_understood():
+    error = [0.1, -0.2, 0.3, 0.9]
+    assert turn_estimate(error, [1, 0, 0]) == turn_estimate(error, [1, 0, 0], 1)
+    assert exact_turn_estimate([1, 1, 0], BENT) == exact_turn_estimate([1, 1, 0], BENT, 1)
+    assert TurnExperiment() == TurnExperiment(1, 100, "exact", 0.0)

@@ -321,3 +321,39 @@ def test_effect_of_the_north_drift_grows_with_the_speed_on_a_fixed_course(latitu
         effect = np.abs(errors.north_rate)
         assert effect.argmax() == 200
         assert (np.diff(effect[:201]) > 0).all()
+
+
+def test_angles_come_back():
+    found = to_euler_angles(from_euler_angles(HEADING, PITCH, ROLL))
+    assert np.allclose(np.array(found).T, ANGLES, atol=1e-13)
+
+
+def test_east_drift_does_more_than_north_drift_up_to_the_speed_of_the_ground():
+    level = EARTH_RADIUS * EARTH_RATE * np.cos(0.9)
+    for speed in (0.0, 10.0, 0.99 * level):
+        gyro_biases = [[1e-7, 0], [0, 1e-7]]
+        errors = operating_heading_error(0.9, [speed, 0.0], [0, 0], [0, 0], gyro_biases, 0, 0, 0)
+        north, east = np.abs(errors.heading)
+        assert east > north
+
+
+def north_term(north, east):
+    """Heading error from a drift about North of 1e-7 rad/s at latitude 0.9."""
+    errors = operating_heading_error(0.9, [north, east], [0, 0], [0, 0], [1e-7, 0], 0, 0, 0)
+    return errors.heading
+
+
+def test_effect_of_the_north_drift_comes_from_the_velocity_north():
+    level = EARTH_RADIUS * EARTH_RATE * np.cos(0.9)
+    assert north_term(0.0, 300.0) == 0  # due East it is not there at all
+    speeds = np.linspace(0, level, 20)
+    assert (np.diff([north_term(speed, 0.0) for speed in speeds]) > 0).all()
+    assert north_term(1.1 * level, 0.0) < north_term(level, 0.0) > north_term(0.9 * level, 0.0)
+    easts = np.linspace(-0.5 * level, 0.5 * level, 20)
+    assert (np.diff([north_term(10.0, east) for east in easts]) < 0).all()
+
+
+def test_the_tan_pitch_terms_are_minus_the_roll_error_times_sin_pitch():
+    formula = alignment_errors(HEADING, PITCH, LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS)
+    pair = formula.heading_terms[:, 1] + formula.heading_terms[:, 2]
+    assert np.allclose(pair, -formula.roll * np.sin(PITCH), rtol=1e-12)

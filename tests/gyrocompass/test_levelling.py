@@ -11,6 +11,7 @@ from driftlab.gyrocompass.alignment import align, alignment_errors
 from driftlab.gyrocompass.heading_error import operating_heading_error, speed_error
 from driftlab.gyrocompass.levelling import (
     LevelFrame,
+    LevellingHistory,
     initial_level_frame,
     propagate_level_frame,
 )
@@ -469,3 +470,71 @@ GOOD = {
 def test_refusals(arguments, words):
     with pytest.raises(ValueError, match=words):
         propagate_level_frame(**replaced(GOOD, arguments))
+
+
+def test_a_ship_under_way_shows_the_speed_deviation():
+    found, way = manoeuvre(1 / EARTH_RADIUS)
+    deviation = speed_error(way.latitude[1:], way.velocity[1:])
+    gap = np.abs(found.heading - 0.3 - deviation)
+    assert np.abs(deviation).max() > np.radians(1.9)
+    assert gap.max() < np.radians(0.03)
+
+
+def test_an_error_of_the_latitude_acts_like_a_drift_about_up():
+    """The computer then turns its horizon in azimuth by U cos(latitude) times the error less."""
+    error = np.radians(0.1)
+    drift = EARTH_RATE * (np.sin(LATITUDE + error) - np.sin(LATITUDE))
+    common = (7200, 10.0)
+    wrong = propagate_level_frame(
+        level_start(), at_rest([0, 0, 0, 1], *common), schuler_gains(), AZIMUTH_RATE + drift
+    )
+    drifting = propagate_level_frame(
+        level_start(),
+        at_rest([0, 0, 0, 1], *common, drift=(0, -drift, 0)),
+        schuler_gains(),
+        AZIMUTH_RATE,
+    )
+    swing = drift / SCHULER
+    assert np.allclose(wrong.heading, drifting.heading, rtol=0, atol=0.01 * swing)
+    assert np.abs(wrong.heading).max() == pytest.approx(swing, rel=0.02)
+
+
+def test_how_the_heading_is_shared_at_the_start_does_not_matter():
+    """The alignment's heading as yaw, or as compass angle with a yaw of zero by definition."""
+    body, drift = from_euler_angles(0.7, 0.4, -0.3), np.array([2e-7, -1e-7, 3e-7])
+    rate, force = static_imu(body, LATITUDE)
+    found = align(rate + drift, force)
+    as_yaw = initial_level_frame(found)
+    turned = from_euler_angles(0.0, found.pitch, found.roll)
+    level = found.level_rate * np.array([np.cos(found.heading), np.sin(found.heading)])
+    increments = Increments(
+        10.0, *(np.tile(10.0 * part, (720, 1)) for part in (rate + drift, force))
+    )
+    runs = [
+        propagate_level_frame(start, increments, schuler_gains(), AZIMUTH_RATE)
+        for start in (as_yaw, LevelFrame(turned, level))
+    ]
+    assert np.abs(runs[1].yaw_pitch_roll.heading[0]) < 0.01 * runs[0].yaw_pitch_roll.heading[0]
+    np.testing.assert_allclose(runs[1].heading, runs[0].heading, rtol=0, atol=1e-9)
+
+
+def test_the_heading_is_wrapped():
+    run = LevellingHistory(
+        np.ones(1),
+        from_euler_angles([3.0], 0.0, 0.0),
+        np.array([[-1.0, 0.5]]),
+        np.array([[3.0, -2.0]]),  # is not read
+        level_start(),
+    )
+    assert run.heading == pytest.approx(3.0 + np.arctan2(0.5, -1.0) - 2 * np.pi)
+
+
+def test_the_swing_is_in_the_heading_many_times_larger():
+    tilt = 1e-6
+    start = level_start(from_rotation_vector([0.0, 0.0, tilt]))
+    found = propagate_level_frame(
+        start, at_rest([0, 0, 0, 1], 5070, 10.0), schuler_gains(), AZIMUTH_RATE
+    )
+    gain = SCHULER / LEVEL_RATE
+    assert np.abs(found.heading).max() == pytest.approx(gain * tilt, rel=0.05)
+    assert gain > 25

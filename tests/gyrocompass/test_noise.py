@@ -241,3 +241,20 @@ def test_impossible_noise_is_refused_by_name(name):
         GyroNoise(**{name: -1e-9})
     with pytest.raises(FrozenInstanceError):
         setattr(GyroNoise(), name, 1.0)
+
+
+def test_slow_noise_averages_away_only_in_windows_longer_than_its_correlation_time():
+    hour = 3600.0
+    noise = GyroNoise(0.0, 1.0, hour, 1.0)
+    assert noise.standard_deviation_of_mean(60) == pytest.approx(1, abs=0.004)
+    # sqrt(2 T/t) of it, less the two ends.
+    assert noise.standard_deviation_of_mean(100 * 3600) == pytest.approx(
+        np.sqrt(2 / 100 * (1 - 1 / 100)), 1e-6
+    )
+
+
+def test_white_noise_falls_with_the_square_root():
+    for count in (1, 4, 625, 10**6):
+        assert WHITE.standard_deviation_of_mean(count) == pytest.approx(
+            0.7 / np.sqrt(count), rel=1e-14
+        )
