@@ -23,6 +23,8 @@ AREAS = {
     "site": "site",
     "lab.py": "set-up",
     "bootstrap": "set-up",
+    "deployment": "hosts and release",
+    "release": "hosts and release",
     "tests": "tests",
     "benchmarks": "benchmarks",
 }
