@@ -39,17 +39,15 @@ sys.modules.setdefault("rfc3987_syntax", None)
 # process drives the browser for all panels while the others compute.
 HEAVY = (
     "browser",
-    "CapstoneExplorer",
     "notebook-08_system_calibration.ipynb",
     "book",
+    "CapstoneExplorer",
     "GyrocompassExplorer",
     "TurnCalibrationExplorer",
     "notebook-10_gyrocompass_at_work.ipynb",
-    "browser-faults",
     "CalibrationRunExplorer",
     "notebook-06_picard_algorithms.ipynb",
     "DriftExplorer",
-    "lab",
     "AlgorithmLaboratoryExplorer",
     "AlignmentBudgetExplorer",
     "notebook-09_aligning_a_gyrocompass.ipynb",

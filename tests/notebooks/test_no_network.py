@@ -55,7 +55,7 @@ def test_a_process_is_refused_as_long_as_it_is_told() -> None:
             "browser",
             marks=[
                 *(pytest.mark.kernel, pytest.mark.browser),
-                pytest.mark.xdist_group("browser-faults"),
+                pytest.mark.xdist_group("browser"),
                 pytest.mark.skipif(bool(no_browser()), reason=no_browser()),
             ],
         ),
