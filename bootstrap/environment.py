@@ -96,10 +96,11 @@ def set_up() -> Path:
     for needed in (ENVIRONMENT, PYPROJECT):
         if not needed.exists():
             raise Trouble(f"The project is incomplete, get it afresh: it has no {needed.name}.")
-    if not reason_to_build():
+    beside = f"{VENV.name}.lab*"  # left by an interrupted set-up
+    if not any(VENV.parent.glob(beside)) and not reason_to_build():
         return PYTHON  # without the lock, which a folder that can only be read would not give
     with alone():
-        for left in VENV.parent.glob(f"{VENV.name}.lab*"):  # by an interrupted set-up
+        for left in VENV.parent.glob(beside):
             if (left / STAMP).exists() and not VENV.exists():
                 left.rename(VENV)
             shutil.rmtree(left, ignore_errors=True)

@@ -167,6 +167,8 @@ def test_an_environment_that_lacks_only_its_place_gets_it(copied: Path) -> None:
     """This is what is left if lab.py is killed in the moment between two names."""
     (copied / ".venv").rename(copied / ".venv.lab7.old")
     assert result(run(copied, "figures")) == DRAWN
+    (copied / ".venv.lab7.old/bin").mkdir(parents=True)  # or in the moment after it
+    assert result(run(copied, "figures")) == DRAWN
     assert not list(copied.glob(".venv.*"))
 
 
