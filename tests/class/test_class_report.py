@@ -18,7 +18,7 @@ from hostile import MARK, MARKUP, TEXTS, Elements, all_that_runs
 
 ELEMENTS = {
     "html", "head", "meta", "title", "style", "body", "main", "div", "h1", "p", "ul", "li", "bdi",
-    "table", "thead", "tbody", "tr", "th", "td",
+    "table", "thead", "tbody", "tr", "th", "td", "details", "summary",
 }  # fmt: skip
 NESTED = "[" * 3000 + "]" * 3000
 BOMBS = (
@@ -243,7 +243,9 @@ def test_the_command_writes_next_to_the_folder(tmp_path):
     assert written == ["class.csv", "class.html"]
     table = (tmp_path / "class-report/class.csv").read_text("utf-8-sig")
     rows = list(csv.reader(table.splitlines()))
-    assert rows[0] == ["exercise", "what the answers show", "notebooks", "recorded", "examples"]
+    assert rows[0] == [
+        *("exercise", "notebooks", "of", "recorded", "what the answers show", "examples"),
+    ]
     assert [row[0] for row in rows[1:]] == ["3.2"]
     assert run("--chapters", "3,77").stderr.startswith("chapters: expected some of 01, 02")
 

@@ -41,11 +41,11 @@ def block_parts(triad: FloatArray, track: str = "") -> tuple[Part, ...]:
     return (*box(HALF_SIZES, "block", track), *edges, *gyros)
 
 
-def axis_parts(axis: FloatArray, track: str = "") -> tuple[Part, ...]:
+def axis_parts(axis: FloatArray) -> tuple[Part, ...]:
     """The axis (3,) of the turns, to either side, with a handle."""
     return (
-        Part("line", AXIS_LENGTH * np.stack([-axis, axis]), "axis", track),
-        *pin(AXIS_LENGTH * axis, "axis", track, handle="axis of the turns")[1:],
+        Part("line", AXIS_LENGTH * np.stack([-axis, axis]), "axis"),
+        *pin(AXIS_LENGTH * axis, "axis", handle="axis of the turns")[1:],
     )
 
 

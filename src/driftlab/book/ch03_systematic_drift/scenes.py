@@ -58,7 +58,7 @@ class TurningBlockView(SceneView):
                     f"gyros bent × {data.exaggeration:g}, error × {factor}",
                     (
                         *block_parts(data.triad, "block"),
-                        *axis_parts(data.direction, "block"),
+                        *axis_parts(data.direction),  # a turn about it leaves it where it is
                         *ghost_parts(data.triad),
                     ),
                 ),

@@ -8,6 +8,7 @@ import hashlib
 import io
 import re
 import warnings
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from html import escape
@@ -32,7 +33,7 @@ MOST_TRIES = 20
 LONGEST = 60
 """Characters of an example."""
 LONGEST_SLIP = 400
-HEADER = ("exercise", "what the answers show", "notebooks", "recorded", "examples")
+HEADER = ("exercise", "notebooks", "of", "recorded", "what the answers show", "examples")
 FILES = ("class.html", "class.csv")
 FORMULA = re.compile(r"(^\s*|[;\t]\s*\"*)(?=[=+\-@＝＋－＠])")
 """Where a spreadsheet would compute: many countries' begin a cell behind a semicolon."""
@@ -46,8 +47,7 @@ STYLE = """
   text-align: left; vertical-align: top
 }
 .class-report td, .class-report li { overflow-wrap: anywhere }
-.class-report td { min-width: 15em; width: 50% }
-.class-report .count { text-align: right; min-width: 0; width: auto }
+.class-report .count { text-align: right }
 .class-report .right { background: rgba(0, 158, 115, 0.2) }
 .class-report .slip { background: rgba(213, 94, 0, 0.2) }
 """
@@ -60,7 +60,8 @@ class Row:
     exercise: str
     shows: str  # `RIGHT`, what a wrong answer was told, `OPEN` or `NOT_JUDGED`
     notebooks: int = 0
-    recorded: int = 0  # of these, how many by a value that was recorded and not typed
+    of: int = 0  # how many have this exercise
+    recorded: int = 0  # of `notebooks`, how many by a value that was recorded and not typed
     examples: list[str] = field(default_factory=list)  # an answer, and the path of its notebook
 
     @property
@@ -80,7 +81,7 @@ class ClassReport:
     def __str__(self) -> str:
         lines = [f"Notebooks read: {self.notebooks}", *self.notes, ""]
         for row in self.rows:
-            lines.append(f"{row.exercise:5} {row.notebooks:4}  {row.shows}")
+            lines.append(f"{row.exercise:5} {row.notebooks:4} of {row.of:3}  {row.shows}")
         return "\n".join(lines)
 
     __repr__ = __str__
@@ -128,10 +129,12 @@ def class_report(folder: str | Path, chapters: str | Iterable[str] | None = None
     exercises = _exercises(chapters)
     found, notes = notebooks_in(where)
     rows: dict[tuple[str, str], Row] = {}
+    having: Counter[str] = Counter()
     for path, answers in found:
         if not any(each.number in exercises for each in answers):
             notes.append(f"{path}: It has none of these exercises.")
         for number in dict.fromkeys(each.number for each in answers if each.number in exercises):
+            having[number] += 1
             for shows, answer in _shown(
                 exercises[number], [each for each in answers if each.number == number]
             ).items():
@@ -140,6 +143,8 @@ def class_report(folder: str | Path, chapters: str | Iterable[str] | None = None
                 row.recorded += answer.recorded and shows != NOT_JUDGED
                 if len(row.examples) < MOST_EXAMPLES:
                     row.examples.append(_example(answer, path))
+    for row in rows.values():
+        row.of = having[row.exercise]
     order = {RIGHT: 0, OPEN: 2, NOT_JUDGED: 3}
     ranked = sorted(
         rows.values(),
@@ -210,6 +215,8 @@ def judged(exercise: Exercise, answer: Answer) -> str:
 
 def _example(answer: Answer, path: str) -> str:
     value = getattr(answer.value, "values", answer.value)
+    if isinstance(value, str) and value.startswith("<"):
+        value = UNREAD  # an object, as Python names it
     text = "" if value is UNREAD else clean(_in_words(value), LONGEST)
     mark = " (recorded)" if answer.recorded else ""
     return f"{text}{mark} — {path}" if text else path
@@ -224,7 +231,8 @@ def _in_words(value: object) -> str:
 
 
 def _cells(row: Row) -> tuple[str, ...]:
-    return row.exercise, row.shows, str(row.notebooks), str(row.recorded), " | ".join(row.examples)
+    counts = map(str, (row.notebooks, row.of, row.recorded))
+    return row.exercise, *counts, row.shows, " | ".join(row.examples)
 
 
 def _table(report: ClassReport) -> bytes:
@@ -264,8 +272,10 @@ def _tables(report: ClassReport) -> str:
         examples = "".join(f"<div><bdi>{escape(each)}</bdi></div>" for each in row.examples)
         lines.append(
             f'<tr><th scope="row">{escape(row.exercise)}</th>'
+            f'<td class="count">{row.notebooks}</td><td class="count">{row.of}</td>'
+            f'<td class="count">{row.recorded}</td>'
             f'<td class="{kind}"><bdi>{escape(row.shows)}</bdi></td>'
-            f'<td class="count">{row.notebooks}</td><td class="count">{row.recorded}</td>'
-            f"<td>{examples}</td></tr>"
+            # Folded, so that the page can be projected: the paths name students.
+            f"<td><details><summary>show</summary>{examples}</details></td></tr>"
         )
     return "\n".join([*lines, "</tbody></table>\n"])

@@ -21,7 +21,8 @@ READING = 5
 """Minutes."""
 RULES = (
     "On paper, with a pocket calculator and one page of notes in your own handwriting. Three "
-    "significant digits are enough. Every number needs its unit and one line of working."
+    "significant digits are enough. Every number needs its unit and one line of working. A "
+    "question may state more numbers than it needs."
 )
 
 

@@ -6,11 +6,9 @@ import numpy as np
 from numpy.random import Generator
 
 from driftlab.drift.characteristic_equation import exact_roots
-from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import drift_coefficient, principal_drifts
 from driftlab.drift.turn_calibration import earth_rate_offset
 from driftlab.earth import EARTH_RATE
-from driftlab.quaternion import to_rotation_vector
 from driftlab.triad import measured_rate
 
 from .question import Question, matrix, plain, question, shown
@@ -32,17 +30,11 @@ def error_of_a_turn(draw: Generator) -> Question:
     stop = int(draw.choice([80, 100, 120, 140]))
     axis = int(draw.integers(3))
     other = (axis + 1) % 3
-    error_matrix = np.zeros((3, 3))
-    error_matrix[axis, axis], error_matrix[other, axis] = 1e-4 * scale, 1e-4 * cross
-    omega = np.radians(rate) * np.eye(3)[axis]
-    times = np.array([360 * turns, 180, stop]) / rate
-    errors = error_quaternion(omega, measured_rate(omega, error_matrix), times)
-    error = to_rotation_vector(errors) / ARCMIN
-    _, across, stopped = np.linalg.norm(np.delete(error, axis, axis=1), axis=1)
-    along = error[0, axis]
+    radius = cross * 1e-4 / ARCMIN  # to first order, as the question asks
+    across, stopped = 2 * radius, 2 * radius * np.sin(np.radians(stop / 2))
+    along = 2 * np.pi * turns * scale * 1e-4 / ARCMIN
     needed = 1e6 * allowed * ARCMIN / (2 * np.pi * turns)
     coupling = 100 * cross * allowed / across
-    radius = cross * 1e-4 / ARCMIN
     circle = rf"""The perpendicular error moves on a circle that passes through zero and has the
         radius ${cross}\cdot10^{{-4}}$ rad."""
     return question(

@@ -94,7 +94,9 @@ def fit(given: Numbers, right: Numbers) -> Numbers:
     if given.shape != right.shape and given.squeeze().shape == right.shape:
         given = given.squeeze()
     if given.shape != right.shape:
-        raise UnreadableError(f"Expected {form(right)}, got {form(given)}.")
+        # In Python 129,6 is two numbers.
+        comma = " Write a decimal point: 129.6." if (right.ndim, given.shape) == (0, (2,)) else ""
+        raise UnreadableError(f"Expected {form(right)}, got {form(given)}.{comma}")
     return given
 
 
