@@ -94,9 +94,10 @@ def fit(given: Numbers, right: Numbers) -> Numbers:
     if given.shape != right.shape and given.squeeze().shape == right.shape:
         given = given.squeeze()
     if given.shape != right.shape:
-        # In Python 129,6 is two numbers.
-        comma = " Write a decimal point: 129.6." if (right.ndim, given.shape) == (0, (2,)) else ""
-        raise UnreadableError(f"Expected {form(right)}, got {form(given)}.{comma}")
+        words = f"Expected {form(right)}, got {form(given)}."
+        if right.ndim == 0 and given.shape == (2,) and (given == given.real.round()).all():
+            words += " With a decimal point it is {:.0f}.{:.0f}.".format(*given.real)  # 129,6
+        raise UnreadableError(words)
     return given
 
 
