@@ -244,7 +244,7 @@ def test_the_command_writes_next_to_the_folder(tmp_path):
     table = (tmp_path / "class-report/class.csv").read_text("utf-8-sig")
     rows = list(csv.reader(table.splitlines()))
     assert rows[0] == [
-        *("exercise", "notebooks", "of", "recorded", "what the answers show", "examples"),
+        *("exercise", "notebooks", "of", "what the answers show", "recorded", "examples"),
     ]
     assert [row[0] for row in rows[1:]] == ["3.2"]
     assert run("--chapters", "3,77").stderr.startswith("chapters: expected some of 01, 02")

@@ -33,7 +33,7 @@ MOST_TRIES = 20
 LONGEST = 60
 """Characters of an example."""
 LONGEST_SLIP = 400
-HEADER = ("exercise", "notebooks", "of", "recorded", "what the answers show", "examples")
+HEADER = ("exercise", "notebooks", "of", "what the answers show", "recorded", "examples")
 FILES = ("class.html", "class.csv")
 FORMULA = re.compile(r"(^\s*|[;\t]\s*\"*)(?=[=+\-@＝＋－＠])")
 """Where a spreadsheet would compute: many countries' begin a cell behind a semicolon."""
@@ -47,7 +47,8 @@ STYLE = """
   text-align: left; vertical-align: top
 }
 .class-report td, .class-report li { overflow-wrap: anywhere }
-.class-report .count { text-align: right }
+.class-report .count { text-align: right; white-space: nowrap }
+.class-report .slip { min-width: 11em }
 .class-report .right { background: rgba(0, 158, 115, 0.2) }
 .class-report .slip { background: rgba(213, 94, 0, 0.2) }
 """
@@ -231,8 +232,8 @@ def _in_words(value: object) -> str:
 
 
 def _cells(row: Row) -> tuple[str, ...]:
-    counts = map(str, (row.notebooks, row.of, row.recorded))
-    return row.exercise, *counts, row.shows, " | ".join(row.examples)
+    counts = str(row.notebooks), str(row.of), row.shows, str(row.recorded)
+    return row.exercise, *counts, " | ".join(row.examples)
 
 
 def _table(report: ClassReport) -> bytes:
@@ -261,21 +262,21 @@ def _page(report: ClassReport) -> bytes:
 
 
 def _tables(report: ClassReport) -> str:
-    heads = "".join(f'<th scope="col">{head}</th>' for head in HEADER)
+    heads = "".join(f'<th scope="col">{head}</th>' for head in HEADER if head != "of")
     lines = [f"<p>Notebooks read: {report.notebooks}.</p>"]
+    # Paths name students: they are folded, so that the page can be projected.
     if report.notes:
         notes = "".join(f"<li><bdi>{escape(note)}</bdi></li>" for note in report.notes)
-        lines.append(f"<ul>{notes}</ul>")
+        lines.append(f"<details><summary>files not counted</summary><ul>{notes}</ul></details>")
     lines.append(f"<table><thead><tr>{heads}</tr></thead><tbody>")
     for row in report.rows:
         kind = "right" if row.shows == RIGHT else "slip" if row.is_slip else "open"
         examples = "".join(f"<div><bdi>{escape(each)}</bdi></div>" for each in row.examples)
         lines.append(
             f'<tr><th scope="row">{escape(row.exercise)}</th>'
-            f'<td class="count">{row.notebooks}</td><td class="count">{row.of}</td>'
-            f'<td class="count">{row.recorded}</td>'
+            f'<td class="count">{row.notebooks} of {row.of}</td>'
             f'<td class="{kind}"><bdi>{escape(row.shows)}</bdi></td>'
-            # Folded, so that the page can be projected: the paths name students.
+            f'<td class="count">{row.recorded}</td>'
             f"<td><details><summary>show</summary>{examples}</details></td></tr>"
         )
     return "\n".join([*lines, "</tbody></table>\n"])
