@@ -24,7 +24,7 @@ if sys.version_info < (3, 11):  # noqa: UP036
 
 sys.path.append(str(Path(__file__).resolve().parent))
 
-from bootstrap import environment
+from bootstrap import environment, installer
 from bootstrap.copies import BOOK, bring_clean, bring_copies
 from bootstrap.environment import set_up, site_tools, with_extras
 from bootstrap.steps import (
@@ -77,9 +77,11 @@ SYSTEMS = {
 }
 
 
-def run(*arguments: str, python: Path = PYTHON, cwd: Path = HOME) -> int:
+def run(
+    *arguments: str, python: Path = PYTHON, cwd: Path = HOME, env: dict[str, str] | None = None
+) -> int:
     """Run a Python, the environment's, in sight of the user and return its exit code."""
-    env = surroundings(python.parents[1])
+    env = env or surroundings(python.parents[1])
     with running([str(python), *arguments], env=env, cwd=cwd) as process:
         return abs(process.wait())
 
@@ -91,6 +93,8 @@ def open_book(arguments: list[str]) -> int:
     parser.add_argument("--port", type=int, default=0)  # 0: any, chosen by the system
     parser.add_argument("--original", action="store_true")
     options = parser.parse_args(arguments)
+    if not 0 <= options.port < 2**16:
+        parser.error(f"--port: expected 0 to 65535, got {options.port}")
     try:
         set_up()
     except NoPackages as trouble:
@@ -168,6 +172,10 @@ def wheels(arguments: list[str]) -> int:
         parser.error("--python needs --system, too: for which computers is it?")
     set_up()
     folder, listed = asked.folder.absolute(), "environment.txt"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise Trouble(f"{folder} cannot be made: {error.strerror}.") from error
     options = ["--no-deps", "--only-binary=:all:", "--require-hashes", "--dest", str(folder)]
     if asked.system:  # pip would choose the lines of the list for this computer
         system, names = SYSTEMS[asked.system]
@@ -175,7 +183,7 @@ def wheels(arguments: list[str]) -> int:
         options += [part for name in names for part in ("--platform", name)]
         chosen = ["--no-config", "--no-deps", "--generate-hashes", "--python-platform", system]
         chosen += ["--python-version", asked.python, "--output-file", "wheels.new"]
-        if run(*COMPILE, listed, *chosen):
+        if run(*COMPILE, listed, *chosen, env=installer.variables()):
             raise Trouble("environment.txt cannot be read for that system; see the messages above.")
         listed = "wheels.new"
     if run("-m", "pip", "download", "--quiet", *options, "-r", listed):
@@ -187,15 +195,18 @@ def wheels(arguments: list[str]) -> int:
     return 0
 
 
-def lock(_: list[str]) -> int:
+def lock(arguments: list[str]) -> int:
     """Write environment.txt with the newest packages that pyproject.toml allows, and the site's."""
+    if arguments:
+        raise Trouble(f"lock: expected nothing more, got {' '.join(arguments)}.")
     set_up()
+    around = installer.variables()
     wishes = (*COMPILE, "pyproject.toml", "--upgrade", "--output-file")
-    if run(*wishes, "environment.txt"):
+    if run(*wishes, "environment.txt", env=around):
         return 1
     known = [f"--no-emit-package={pin.partition('==')[0]}" for pin in environment.pins()]
     site = ("--extra", "site", "--constraint", "environment.txt", *known)
-    return run(*wishes, "site/packages.txt", *site)
+    return run(*wishes, "site/packages.txt", *site, env=around)
 
 
 this_python = partial(Path, sys.executable)
@@ -260,6 +271,9 @@ def main(arguments: list[str]) -> int:
     command, *rest = arguments
     if command not in COMMANDS:
         raise no_command(command)
+    if rest[:1] in (["-h"], ["--help"]) and command != "test":
+        print(help_text(command), end="")
+        return 0
     if command not in FOR_READERS and not (HOME / "release/release.toml").exists():
         raise Trouble(f'This is a student\'s copy of the book, which has no "{command}".')
     return COMMANDS[command](rest)

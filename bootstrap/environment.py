@@ -97,7 +97,8 @@ def set_up() -> Path:
         if not needed.exists():
             raise Trouble(f"The project is incomplete, get it afresh: it has no {needed.name}.")
     beside = f"{VENV.name}.lab*"  # left by an interrupted set-up
-    if not any(VENV.parent.glob(beside)) and not reason_to_build():
+    to_clean = os.access(VENV.parent, os.W_OK) and any(VENV.parent.glob(beside))
+    if not to_clean and not reason_to_build():
         return PYTHON  # without the lock, which a folder that can only be read would not give
     with alone():
         for left in VENV.parent.glob(beside):

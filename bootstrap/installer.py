@@ -117,7 +117,9 @@ def variables() -> dict[str, str]:
         value = os.environ.get(variable, ast.literal_eval(found[-1]) if found else "").strip()
         if value:
             around |= dict.fromkeys([variable, *names], value)
-    if "PIP_FIND_LINKS" in around:  # uv separates by commas
+    if "PIP_FIND_LINKS" in around:  # uv separates by commas, pip by blanks, which a folder may have
+        if (folder := Path(around["PIP_FIND_LINKS"])).is_dir():
+            around["PIP_FIND_LINKS"] = folder.absolute().as_uri()
         around["UV_FIND_LINKS"] = ",".join(around["PIP_FIND_LINKS"].split())
     return around
 

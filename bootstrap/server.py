@@ -45,7 +45,12 @@ def own_places() -> dict[str, str]:
         found = OWN.stat()
     except OSError:
         return {}
-    if os.name == "nt" or found.st_uid != os.geteuid() or found.st_mode & 0o077:
+    if (
+        os.name == "nt"
+        or not os.access(OWN, os.W_OK)
+        or found.st_uid != os.geteuid()
+        or found.st_mode & 0o077
+    ):
         return {}
     places = {name: str(OWN / folder) for name, folder in PLACES.items()}
     return {name: folder for name, folder in places.items() if name not in os.environ}

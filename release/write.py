@@ -164,6 +164,8 @@ def recipe(found: dict[str, Any]) -> Iterator[str]:
 
 
 if __name__ == "__main__":
+    if sys.argv[1:]:
+        sys.exit(f"release: expected nothing more, got {' '.join(sys.argv[1:])}.")
     try:
         for path, text in written().items():
             write(path, text)

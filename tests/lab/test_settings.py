@@ -96,6 +96,9 @@ def test_both_installers_are_told_what_is_set_for_pip(
     assert told["PIP_FIND_LINKS"].split() == told["UV_FIND_LINKS"].split(",")
     assert told["UV_INDEX"] == "https://mine/simple"
     assert told["PIP_RETRIES"] == "2"
+    (tmp_path / "two words").mkdir()
+    monkeypatch.setenv("PIP_FIND_LINKS", str(tmp_path / "two words"))
+    assert load(tiny).installer.variables()["UV_FIND_LINKS"].endswith("/two%20words")
     assert told["PIP_CONFIG_FILE"] == os.devnull
     assert told.get("UV_LINK_MODE") != "symlink"
 

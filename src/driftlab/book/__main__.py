@@ -165,8 +165,8 @@ def figures_that_begin(beginnings: list[str]) -> dict[str, FigureDefinition | No
     every: dict[str, FigureDefinition | None] = {**figure_definitions(), LARIN_NUMBERS: None}
     if strange := [each for each in beginnings if not any(map(_begins(each), every))]:
         sys.exit(
-            f"figures: expected names, or how they begin, among {', '.join(every)}; "
-            f"got {', '.join(strange)}."
+            f"figures: expected names, or how they begin, got {', '.join(strange)}. "
+            f"There are {', '.join(every)}."
         )
     chosen = {name for each in beginnings for name in filter(_begins(each), every)}
     return {name: definition for name, definition in every.items() if name in chosen}
