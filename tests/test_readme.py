@@ -5,12 +5,13 @@ import shlex
 
 import numpy as np
 import pytest
+from tiny_project import load
 
-import lab
 from driftlab.__main__ import main
 from driftlab.commands import COMMANDS
 from support import ROOT, printed_numbers
 
+lab = load(ROOT).lab  # not tests/lab, which has the same name
 README = ROOT / "README.md"
 # The examples of helper.md continue one another; test_helper runs them.
 DOCS = sorted({*(ROOT / "docs").glob("*.md")} - {ROOT / "docs/helper.md"})
