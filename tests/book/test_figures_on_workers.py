@@ -68,7 +68,7 @@ def test_processes_change_nothing_and_what_is_kept_is_taken(drawn, tmp_path, mon
     ("options", "says"),
     [
         (["--workers", "0"], "workers: expected a whole number of at least 1, got 0."),
-        (["01"], "among 00-study, 04-larin-numbers; got 01."),
+        (["01"], "got 01. There are 00-study, 04-larin-numbers."),
         (["--keep", "{file}/kept"], "Not a directory: '{file}/kept'"),
         (["--scheduler", "tcp://127.0.0.1:1"], "pip install driftlab[cluster]."),
     ],
