@@ -165,7 +165,6 @@ def test_every_function_at_the_doors_has_a_call():
 LATITUDE = np.radians(59.9)
 SCHEME = Scheme("+90X -90X", dwell=10.0)
 TRUE = turntable_trajectory(SCHEME, LATITUDE, 0.5)
-LINEARIZED = linearize_along(SCHEME, LATITUDE)
 LOG = Recording(TRUE.increments.angle, TRUE.increments.velocity, 0.5, "increments")
 BENT = np.array([[0, 2e-3, 0], [0, 0, 0], [0, 0, 0]])
 CALIBRATE = {

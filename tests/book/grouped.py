@@ -1,6 +1,5 @@
 """Tests of one panel are one group, so that only one of several processes computes its runs."""
 
-from collections.abc import Callable
 from functools import cache
 
 import pytest
@@ -17,15 +16,6 @@ every_scene = pytest.mark.parametrize(
     "scene_class",
     [pytest.param(s, id=s.__name__, marks=pytest.mark.xdist_group(s.__name__)) for s in SCENES],
 )
-
-
-def with_scenes(test: Callable[..., None]) -> Callable[..., None]:
-    """Let a test of a panel's controls and presets try those of the scenes as well."""
-    classes = [
-        pytest.param(each, id=each.__name__, marks=pytest.mark.xdist_group(each.__name__))
-        for each in (*EXPLORERS, *SCENES)
-    ]
-    return pytest.mark.parametrize("panel_class", classes)(test)
 
 
 @cache

@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import io
 from collections.abc import Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -248,9 +247,3 @@ class PanelPage:
     def cut_off(self) -> list[str]:
         """What of the panel does not fit into the room it has."""
         return list(self._element.evaluate(CUT_OFF))
-
-    def screenshot(self, path: Path) -> None:
-        """Keep the page as it is with the panel at its top."""
-        self._element.evaluate("panel => panel.scrollIntoView({ block: 'start' })")
-        self.settle(frames=8)
-        self.page.screenshot(path=path)
