@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 from scipy.constants import arcsecond, degree, hour
+from scipy.spatial.transform import Rotation
 
 from driftlab.attitude import integrate
-from driftlab.drift.recorded_turns import recorded_turn_estimate
+from driftlab.drift.recorded_turns import fit_error_matrix, recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import earth_rate_offset, exact_turn_estimate, turn_estimate
-from driftlab.drift.weighing_designs import YATES_AXES, fit_turns, weighing_estimate
+from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing_estimate
 from driftlab.earth import EARTH_RATE
 from driftlab.imu import NO_ERRORS, ImuNoise
 from driftlab.increments import measure
@@ -229,3 +230,108 @@ def test_a_triad_of_the_simplest_kind_is_not_refused():
     for triad in (0.04 * np.eye(3), -0.04 * np.eye(3), 0.04 * np.fliplr(np.eye(3))):
         found = senses(YATES_AXES, gyro_error_matrix=triad).mean(axis=0)
         np.testing.assert_allclose(found, exact_turn_estimate(YATES_AXES, triad), atol=1e-6)
+
+
+WHOLE = np.array([[4, -30, 20], [5, -6, 30], [-11, 8, 7]]) * arcsecond
+SIX_AXES = np.vstack([PAIR_AXES, np.eye(3)])
+
+
+def sums(axes, unit, **turn):
+    """Summed increments (2, m, 3) of turns about `axes` in both directions."""
+    return np.array(
+        [
+            measure(TurntableRotation(rate, **turn).increments(axes, 720), unit).angle.sum(axis=-2)
+            for rate in (RATE, -RATE)
+        ]
+    )
+
+
+def turned(axes, turns):
+    """Axes turned by rotation vectors, sums (2, m, 3) of a perfect triad about them."""
+    whole = 2 * np.pi * Rotation.from_rotvec(turns).apply(axes)
+    return np.array([whole, -whole])
+
+
+@pytest.mark.parametrize("turn", [{}, {"ramp": 5.0, "dwell": 7.0}, {"turns": 2}])
+@pytest.mark.parametrize(
+    "axes", [YATES_AXES[:3], SIX_AXES, np.vstack([2 * np.eye(3), [[1, 2, 3]]])]
+)
+def test_the_sums_of_both_directions_hold_all_nine_entries(axes, turn):
+    """On the Earth, with a bias of 100 degrees an hour; exact but for the rounding of the sums."""
+    bias = np.array([100.0, -50.0, 30.0]) * degree / hour
+    unit = NO_ERRORS._replace(gyro_error_matrix=WHOLE, gyro_bias=bias)
+    records = sums(axes, unit, latitude=SARATOV, **turn)
+    fit = fit_error_matrix(*records, axes, turn.get("turns", 1), angle_noise=1e-6)
+    # 720 additions round the sum by at most 720 eps; the axes have a condition of 2 or less.
+    np.testing.assert_allclose(fit.error_matrix, WHOLE, rtol=0, atol=2 * 720 * np.spacing(1.0))
+    np.testing.assert_allclose(fit.residuals, 0, atol=2 * 720 * np.spacing(1.0))
+
+
+@pytest.mark.parametrize(
+    ("axes", "turns", "orders"),
+    [
+        # A body that sits turned in its fixture: three axes spare the symmetric part.
+        (np.eye(3), [[0.3, -0.5, 0.7]], (2, 1)),
+        # Axes that err one by one: three spare neither, six spare it if it is weighed along them.
+        (np.eye(3), [[0.3, -0.5, 0.7], [0.2, 0.4, -0.1], [0.6, 0.1, 0.3]], (1, 1)),
+        (
+            SIX_AXES,
+            [[0.3, -0.5, 0.7], [0.2, 0.4, -0.1], [0.6, 0.1, 0.3]] * 2,
+            (2, 1),
+        ),
+    ],
+)
+def test_the_price_of_an_error_of_the_axes(axes, turns, orders):
+    def part(sign):
+        def error(size):
+            records = turned(axes, size * np.array(turns))
+            # Noise far below the axis error: what is measured across counts for nothing along.
+            matrix = fit_error_matrix(*records, axes, angle_noise=1e-9, axis_error=1.0).error_matrix
+            return np.abs(matrix + sign * matrix.T).max()
+
+        return error
+
+    assert order_of(part(1)) == pytest.approx(orders[0], abs=0.05)
+    assert order_of(part(-1)) == pytest.approx(orders[1], abs=0.05)
+
+
+@pytest.mark.parametrize("axes", [np.eye(3), SIX_AXES])
+@pytest.mark.parametrize(("noise", "axis"), [(2e-5, 0.0), (2e-5, 3e-6), (1e-6, 1e-4)])
+def test_the_covariance_of_all_nine_is_that_of_many_calibrations(axes, noise, axis):
+    rng, count = np.random.default_rng(5), 2000
+    true = axes + np.cross(axes, rng.normal(0, axis, (count, len(axes), 3)))
+    both = 2 * np.pi * np.array([true, -true]) + rng.normal(0, noise, (2, *true.shape))
+    fit = fit_error_matrix(*both, axes, angle_noise=noise, axis_error=axis)
+    errors = fit.error_matrix.reshape(count, 9)
+    # Chi-square of nine: mean 9, variance 18; and each variance. Five standard deviations.
+    squares = np.einsum("ni,ij,nj->n", errors, np.linalg.inv(fit.covariance), errors)
+    assert squares.mean() == pytest.approx(9, abs=5 * np.sqrt(18 / count))
+    ratio = errors.var(axis=0) / np.diag(fit.covariance)
+    np.testing.assert_allclose(ratio, 1, atol=5 * np.sqrt(2 / count))
+
+
+def test_larins_number_is_the_part_along_the_axis():
+    unit = NO_ERRORS._replace(gyro_error_matrix=WHOLE)
+    there, back = sums(SIX_AXES, unit, latitude=None)
+    along = np.einsum("mi,mi->m", there - back, SIX_AXES) / (4 * np.pi) - 1
+    np.testing.assert_allclose(along, drift_coefficient(SIX_AXES, WHOLE), rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"axes": [[1, 0, 0], [0, 1, 0], [1, 1, 0]]}, "axes: expected three that do not lie in"),
+        ({"axes": [1, 0, 0]}, r"axes: expected shape \(m, 3\), got shape \(3,\)"),
+        ({"backward": 2 * np.pi * np.eye(3)}, r"backward: .* -1 turns .* within 0\.05, got \(1, 0"),
+        ({"forward": 360 * np.eye(3)}, r"forward: expected sums in rad of 1 turns .*or degrees\?"),
+        ({"forward": np.ones((2, 3))}, r"forward: expected shape \(..., 3, 3\), got shape \(2, 3"),
+        ({"turns": 2}, r"forward: expected sums in rad of 2 turns about the axes within 0\.1, got"),
+        ({"angle_noise": 0.0}, "angle_noise: expected a positive number"),
+        ({"axis_error": -1.0}, "axis_error: expected"),
+    ],
+)
+def test_sums_of_something_else_are_refused(change, sentence):
+    whole = 2 * np.pi * np.eye(3)
+    arguments = {"forward": whole, "backward": -whole, "axes": np.eye(3), "angle_noise": 1e-6}
+    with pytest.raises(ValueError, match=f"^{sentence}"):
+        fit_error_matrix(**(arguments | change))

@@ -25,7 +25,10 @@ from .error_kinematics import (
     error_rate_matrix as error_rate_matrix,
     rate_matrix as rate_matrix,
 )
-from .recorded_turns import recorded_turn_estimate as recorded_turn_estimate
+from .recorded_turns import (
+    fit_error_matrix as fit_error_matrix,
+    recorded_turn_estimate as recorded_turn_estimate,
+)
 from .step_formulas import STEP_FORMULAS as STEP_FORMULAS
 from .systematic_drift import (
     drift_coefficient as drift_coefficient,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -11,7 +13,15 @@ from driftlab.attitude.coning_algorithms import (
     checked_algorithm,
 )
 from driftlab.attitude.integration import integrate
-from driftlab.checks import FloatArray, finite_array, finite_arrays, nonzero_vectors, whole_number
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_arrays,
+    nonnegative_number,
+    nonzero_vectors,
+    positive_number,
+    whole_number,
+)
 from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.core.vectors import norms
 from driftlab.drift.turn_calibration import turn_estimate
@@ -62,6 +72,7 @@ def recorded_turn_estimate(
 
     See Also
     --------
+    fit_error_matrix : All nine errors from the same records.
     fit_turns : The sigmas from several turns.
     turn_estimate : The same from an attitude error.
 
@@ -96,6 +107,149 @@ def recorded_turn_estimate(
     for row in range(whole, length):
         attitude = multiply(attitude, from_rotation_vector(rows[..., row, :]))
     return turn_estimate(attitude, np.sign(turned)[..., np.newaxis] * n, count)
+
+
+class ErrorMatrixFit(NamedTuple):
+    """Error matrix of a triad from turns in both directions; the result of `fit_error_matrix`.
+
+    Attributes
+    ----------
+    error_matrix : ndarray, shape (..., 3, 3)
+        M, without unit: scale-factor errors on the diagonal, cross-coupling beside it.
+    covariance : ndarray, shape (9, 9)
+        Covariance of the nine entries, row by row.
+    residuals : ndarray, shape (..., m, 3)
+        Each half difference minus what M makes of its axis, without unit.
+    """
+
+    error_matrix: FloatArray
+    covariance: FloatArray
+    residuals: FloatArray
+
+
+def fit_error_matrix(
+    forward: ArrayLike,
+    backward: ArrayLike,
+    axes: ArrayLike,
+    turns: int = 1,
+    *,
+    angle_noise: float,
+    axis_error: float = 0.0,
+) -> ErrorMatrixFit:
+    r"""Fit all nine errors of a triad to the summed increments of turns in both directions.
+
+    `recorded_turn_estimate` keeps the symmetric part of the error matrix only; the records
+    determine the skew part as well, as accurately as the axes are known in the body.
+
+    Parameters
+    ----------
+    forward, backward : array_like, shape (..., m, 3)
+        Sums of the increments of the two turns about each axis, rad: counter-clockwise and
+        clockwise about n, for the same time, with n along the same direction in space.
+    axes : array_like, shape (m, 3)
+        Axes n in the body, at least three that do not lie in one plane; only their directions
+        count.
+    turns : int
+        Number k of whole turns in each direction.
+    angle_noise : float
+        Standard deviation, per gyro, of the noise of one sum, rad: angle random walk times the
+        square root of the time.
+    axis_error : float
+        Standard deviation of each axis in each of the two directions across it, rad. It weights
+        what is measured across the axes against what is measured along them.
+
+    Returns
+    -------
+    ErrorMatrixFit
+        The error matrix, its covariance, and the residuals.
+
+    Raises
+    ------
+    ValueError
+        If the axes lie in one plane, or the sums are not `turns` turns about them within 5 %.
+
+    See Also
+    --------
+    fit_turns : The sigmas from turn estimates.
+
+    Notes
+    -----
+    A table that turns at one constant rate carries the level part of the Earth's rate round, and it
+    sums to zero over whole turns. The vertical part and the gyro bias add the same to both sums.
+    Without noise, therefore, with A = I + M,
+
+    .. math:: \frac{\gamma_+ - \gamma_-}{4\pi k} - n = A n - n = M n
+
+    exactly. Three axes give all nine entries. With ramps it remains exact if the second half of the
+    turn mirrors the first.
+
+    An axis that is off by a small vector e across n adds :math:`A e`. It changes :math:`n^T M n` by
+    :math:`n^T M e - e^T e/2` only, which is of second order, but :math:`M n` across n to first
+    order. A body that sits turned in its fixture moves all axes alike and changes only the skew
+    part to first order. Errors that differ from axis to axis spare the symmetric part only if six
+    axes determine it by what is measured along them. `covariance` contains noise and axis errors to
+    first order, the axis errors independent of each other. See Larin (3.3) for
+    :math:`n^T \Sigma n`, the part along the axis.
+
+    Examples
+    --------
+    About each body axis once in both directions, on the Earth, with a gyro bias:
+
+    >>> from driftlab.motion import TurntableRotation
+    >>> triad = 1e-4 * np.array([[4, 1, 2], [-1, 5, 3], [2, 0, 6]])
+    >>> sums = []
+    >>> for rate in (0.2, -0.2):
+    ...     record = TurntableRotation(rate, latitude=0.9).increments(np.eye(3), 360)
+    ...     sums.append((record.angle @ (np.eye(3) + triad).T + 1e-6).sum(axis=-2))
+    >>> fit = fit_error_matrix(*sums, np.eye(3), angle_noise=1e-6)
+    >>> fit.error_matrix.round(6) + 0.0
+    array([[ 0.0004,  0.0001,  0.0002],
+           [-0.0001,  0.0005,  0.0003],
+           [ 0.0002,  0.    ,  0.0006]])
+    """
+    n, _ = nonzero_vectors(axes, "axes")
+    if n.ndim != 2:
+        raise ValueError(f"axes: expected shape (m, 3), got shape {n.shape}.")
+    if np.linalg.matrix_rank(n) < 3:
+        raise ValueError("axes: expected three that do not lie in one plane, got fewer.")
+    count = whole_number(turns, "turns")
+    scale = 2 * np.pi * count
+    # One sum has the noise of a white sequence; half of a difference of two has 1/sqrt(2) of it.
+    noise = positive_number(angle_noise, "angle_noise") / (np.sqrt(2) * scale)
+    across = noise / np.hypot(noise, nonnegative_number(axis_error, "axis_error"))
+    there, back = (
+        _sums(value, name, n, sense * count)
+        for value, name, sense in ((forward, "forward", 1), (backward, "backward", -1))
+    )
+    finite_arrays(forward=(there, *there.shape[-2:]), backward=(back, *back.shape[-2:]))
+    found = (there - back) / (2 * scale) - n
+    # Each axis gives three equations; those across it count less if the axis is uncertain.
+    along = n[:, :, np.newaxis] * n[:, np.newaxis, :]
+    weights = along + across * (np.eye(3) - along)
+    design = np.einsum("mij,mk->mijk", weights, n).reshape(-1, 9)
+    inverse = np.linalg.pinv(design)
+    weighted = np.einsum("mij,...mj->...mi", weights, found)
+    matrix = (weighted.reshape(*found.shape[:-2], -1) @ inverse.T).reshape(*found.shape[:-2], 3, 3)
+    residuals = found - np.einsum("...ij,mj->...mi", matrix, n)
+    return ErrorMatrixFit(matrix, noise**2 * inverse @ inverse.T, residuals)
+
+
+def _sums(value: ArrayLike, name: str, n: FloatArray, count: int) -> FloatArray:
+    """Sums (..., m, 3) of increments that make `count` turns about the axes, negative backward."""
+    sums = finite_array(value, name, 3)
+    if sums.ndim < 2 or sums.shape[-2] != len(n):
+        raise ValueError(f"{name}: expected shape (..., {len(n)}, 3), got shape {sums.shape}.")
+    turned = sums / (2 * np.pi)
+    off = norms(turned - count * n)
+    limit = _TOLERANCE * abs(count)
+    if (off > limit).any():
+        worst = turned.reshape(-1, 3)[off.argmax()]
+        raise ValueError(
+            f"{name}: expected sums in rad of {count} turns about the axes within {limit:g}, got "
+            f"({worst[0]:.4g}, {worst[1]:.4g}, {worst[2]:.4g}) turns: another axis or direction, "
+            "or degrees?"
+        )
+    return sums
 
 
 def _whole_turns(total: FloatArray, n: FloatArray, count: int) -> FloatArray:
