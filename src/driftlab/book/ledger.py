@@ -32,10 +32,10 @@ PAPERS = {
     "larin": Paper(
         "V. B. Larin",
         "*On the calibration of a spatial angular-rate meter*, received 1987",
-        "A text of the Russian paper that was read by a machine, with damage of its own: a doubled "
-        "equals sign, a bracket that is never closed, one prime for the transpose and for the time "
-        "derivative. It names neither the journal nor the year; 21 January 1987 is the day on "
-        "which the editors received the paper.",
+        "A text of the Russian paper that was read by a machine, with damage of its own: a bracket "
+        "that is never closed, one prime for the transpose and for the time derivative. It names "
+        "neither the journal nor the year; 21 January 1987 is the day on which the editors "
+        "received the paper.",
     ),
     "perelyaev-chelnokov": Paper(
         "S. E. Perelyaev, Yu. N. Chelnokov",
