@@ -128,7 +128,7 @@ EXERCISES: dict[str, Exercise] = {
             "gives the same. What the skew part adds is perpendicular to it.",
             "c": "counts the three entries off the diagonal of Σ. Scale errors are on it.",
             "e": "is not enough: what vanishes on a cone is not seen by any number of axes on it.",
-            "f": "counts entries. To first order a skew part leaves nothing to see after a whole "
+            "f": "counts entries. To first order a skew part leaves no drift after a whole "
             "turn, about whichever axis.",
         },
         remark="One mounting, one number. Six numbers are the whole symmetric part.",

@@ -163,8 +163,8 @@ EXERCISES: dict[str, Exercise] = {
             "the true one: it is the level part of the Earth's rate, seen from an axis aside.",
             "d": "needs an entry in the second column. A triad turned about Up feels a turn about "
             "Up as it is.",
-            "e": "cannot be: a triad turned as a whole is a good triad with other axes, and its "
-            "turns show nothing.",
+            "e": "cannot be: a triad turned as a whole is a good triad with other axes, and it "
+            "does not drift.",
         },
         remark="An error that the ship can calibrate herself, with one landmark.",
     ),
