@@ -187,6 +187,29 @@ def test_2_2_misses_by_the_next_order(order):
     assert order_of(error) == pytest.approx(order + 1, abs=0.03)
 
 
+def test_2_2_is_off_by_no_more_than_its_bound():
+    rng = np.random.default_rng(2)
+    bent, n = rng.normal(size=(20000, 3, 3)), rng.normal(size=(20000, 3))
+    n /= np.linalg.norm(n, axis=1)[:, np.newaxis]
+    m = 10 ** rng.uniform(-6, -1, len(n))
+    bent *= (m / np.linalg.norm(bent, 2, axis=(1, 2)))[:, np.newaxis, np.newaxis]
+    error = np.einsum("nij,nj->ni", bent, n)
+    rho = np.einsum("ni,ni->n", n, error)
+    across = (np.cross(n, error) ** 2).sum(axis=1)
+    exact = exact_roots(n, measured_rate(n, bent)).imag
+    first, second = (exact - asymptotic_roots(n, bent, order=order).imag for order in (1, 2))
+    slack = 16 * EPS  # the roots are of size two and less, known to a few roundings
+    for off in (first * [1, -1, 1, -1]).T:
+        assert (off >= -slack).all()
+        assert (off <= across / (2 * (1 + rho)) + slack).all()
+    assert (across / (2 * (1 + rho)) <= m**2 / (2 * (1 - m)) + slack).all()
+    assert (np.abs(second).max(axis=1) <= across * m / (2 * (1 - m)) + slack).all()
+    # No smaller constant would do: an error that is all across the axis.
+    small = 1e-4
+    drift = _exact_drift_coefficient([0, 0, 1], [[0, 0, small], [0, 0, 0], [0, 0, 0]])
+    assert drift > 0.999 * small**2 / 2
+
+
 # Drift
 
 
@@ -301,6 +324,25 @@ def test_2_6_nu_is_2_sqrt2_pi_chi_to_first_order(sigma):
     nu = drift_per_revolution(axes[largest], error_matrix)
     # nu = 4 pi sigma and tan(chi) = sqrt2 sigma, so that nu/chi misses by 2/3 sigma^2.
     assert nu / (2 * np.sqrt(2) * np.pi * chi) == pytest.approx(1, abs=sigma**2)
+
+
+def test_2_6_is_off_by_no_more_than_its_bound():
+    rng = np.random.default_rng(3)
+    sigma = rng.choice([-1, 1], 2000) * 10 ** rng.uniform(-5, -1, 2000)
+    chi = np.arctan(np.sqrt(2) * sigma)
+    linear = sigma[:, np.newaxis, np.newaxis] * (np.ones((3, 3)) - np.eye(3))
+    unit = (np.eye(3) + linear) * np.cos(chi)[:, np.newaxis, np.newaxis] - np.eye(3)
+    for bent, bound in (
+        (linear, 8 / 3 * np.pi * np.abs(sigma) ** 3),
+        (unit, 2 * np.pi * (chi**2 / 2 + np.sqrt(2) * np.abs(chi) ** 3 / 6)),
+    ):
+        coefficients, _ = principal_drifts(bent, exact=True)
+        places = np.abs(coefficients).argmax(axis=-1)[:, np.newaxis]
+        nu = 2 * np.pi * np.take_along_axis(coefficients, places, axis=-1)[:, 0]
+        off = np.abs(nu - 2 * np.sqrt(2) * np.pi * chi)
+        # The entries of I + M are rounded at one, and so is each eigenvalue.
+        assert (off <= bound + 2 * np.pi * 32 * EPS).all()
+        assert (off[sigma > 1e-3] > 0.95 * bound[sigma > 1e-3]).all()
 
 
 @given(matrices(0.1), directions())

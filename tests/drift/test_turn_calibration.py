@@ -120,6 +120,27 @@ def test_bias_of_the_method_is_of_second_order(turns):
     assert order_of(bias) == pytest.approx(2, abs=0.05)
 
 
+@every_turn
+def test_bias_of_the_method_is_within_its_bound(turns):
+    rng = np.random.default_rng(4)
+    bent, n = rng.normal(size=(20000, 3, 3)), random_axes(20000)
+    n /= np.linalg.norm(n, axis=1)[:, np.newaxis]
+    m = 10 ** rng.uniform(-6, -1, len(n))
+    bent *= (m / np.linalg.norm(bent, 2, axis=(1, 2)))[:, np.newaxis, np.newaxis]
+    bias = np.abs(exact_turn_estimate(n, bent, turns) - drift_coefficient(n, bent))
+    error = np.einsum("nij,nj->ni", bent, n)
+    a = 1 + np.einsum("ni,ni->n", n, error)
+    across = (np.cross(n, error) ** 2).sum(axis=1)
+    d = np.sqrt(a**2 + across) - 1
+    slack = 16 * EPS  # the estimate is the angle of a quaternion, known to a few roundings
+    assert (bias <= across / (2 * a) * (1 + np.abs(d) / a) + slack).all()
+    assert (bias <= m**2 / (2 * (1 - m) ** 2) + slack).all()
+    # No smaller constant would do: an error that is all across the axis.
+    small = 1e-4
+    lean = [[0, 0, small], [0, 0, 0], [0, 0, 0]]
+    assert exact_turn_estimate([0, 0, 1], lean, turns) > 0.999 * small**2 / 2
+
+
 @given(matrices(0.1))
 def test_3_4_pair_axes_show_one_sigma_each(error_matrix):
     sigma = non_orthogonality(error_matrix - np.diag(np.diag(error_matrix)))

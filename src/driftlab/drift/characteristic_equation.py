@@ -132,6 +132,18 @@ def asymptotic_roots(rate: ArrayLike, error_matrix: ArrayLike, *, order: int = 1
 
     .. math:: |w| (|M n|^2 - \rho^2) / 2.
 
+    The error of the first order is the same for both pairs. With r the length of the part of M n
+    across n, :math:`|\hat w|/|w| = \sqrt{(1+\rho)^2 + r^2}`, and if :math:`1 + \rho > 0`,
+
+    .. math::
+        0 \le \frac{|\hat w|}{|w|} - 1 - \rho
+        = \frac{r^2}{\sqrt{(1+\rho)^2 + r^2} + 1 + \rho}
+        \le \frac{r^2}{2(1+\rho)} \le \frac{m^2}{2(1-m)},
+
+    where m < 1 is the spectral norm of M: :math:`|\rho| \le m` and :math:`r \le m`. From the same
+    fraction, as :math:`||\hat w|/|w| - 1| \le m`, the second order leaves at most
+    :math:`r^2 m/(2(1-m))`.
+
     Examples
     --------
     Measured and true rate differ across the axis only, which shows in the second order:

@@ -113,6 +113,19 @@ def exact_turn_estimate(axis: ArrayLike, error_matrix: ArrayLike, turns: int = 1
 
     .. math:: \frac{1}{k\pi} \arctan\left( \hat n^T n \tan(k\pi(|A n| - 1)) \right).
 
+    Its distance from rho = n^T Sigma n has a bound without k. Let d = |A n| - 1 with k|d| < 1/2, c
+    the cosine of the angle between the two axes, a = 1 + rho > 0, and r the length of the part of
+    M n across n, so that c = a/|A n|. With theta = k pi d, the estimate differs from d by
+
+    .. math::
+        \frac{1}{k\pi} \left| \arctan\frac{(1-c)\tan\theta}{1 + c\tan^2\theta} \right|
+        \le \frac{(1-c)|\sin 2\theta|}{2ck\pi} \le \frac{1-c}{c}|d| \le \frac{r^2}{2a^2}|d|,
+
+    and d from rho by at most :math:`r^2/2a`, as in `asymptotic_roots`. If m < 1 is the spectral
+    norm of M, the sum of both is at most
+
+    .. math:: \frac{r^2}{2a}\left(1 + \frac{|d|}{a}\right) \le \frac{m^2}{2(1-m)^2}.
+
     Examples
     --------
     >>> error_matrix = 0.01 * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
