@@ -188,6 +188,23 @@ def test_too_few_samples_in_a_round_leave_nothing_to_gain():
         coning_drift(of(WIDEST), 0.02, 20.0, 1 / 50)
 
 
+@pytest.mark.parametrize("degrees", [1.0, 10.0, 60.0])
+@pytest.mark.parametrize(("window", "fewest"), [(6, 4), (12, 5)])
+def test_window_leaves_less_than_the_best_of_the_seven_from_some_samples_a_round(
+    window, fewest, degrees
+):
+    cone, interval = np.radians(degrees), 1 / np.linspace(fewest, 30, 100)
+    seven = [abs(coning_drift(name, cone, 1.0, interval)) for name in CONING_ALGORITHMS]
+    assert (abs(coning_drift(of(window), cone, 1.0, interval)) < np.min(seven, axis=0) / 1.2).all()
+
+
+@pytest.mark.parametrize("degrees", [1.0, 10.0])
+def test_window_of_six_loses_below_four_samples_a_round(degrees):
+    cone, interval = np.radians(degrees), 1 / np.linspace(2.5, 3.9, 30)
+    seven = [abs(coning_drift(name, cone, 1.0, interval)) for name in CONING_ALGORITHMS]
+    assert (abs(coning_drift(of(6), cone, 1.0, interval)) > np.min(seven, axis=0)).all()
+
+
 # Symmetries
 
 

@@ -1,11 +1,16 @@
-"""A half turn about the tilt axis turns a cone's time round: no error of odd order is a drift."""
+"""A half turn about the tilt axis turns a cone's time round: no error of odd order is a drift.
+
+The step must turn with the increments and be a power series in them. A length to an odd power is
+none, and drifts with an odd order.
+"""
 
 import numpy as np
 import pytest
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import coning_drift
-from driftlab.book.ch06_picard_algorithms.experiments import COMPARED, random_algorithm
+from driftlab.attitude.integration import integrate
+from driftlab.book.ch06_picard_algorithms.experiments import COMPARED, SHIP, random_algorithm
 from driftlab.core.attitude import step_quaternions
 from driftlab.core.coning import cone_increments, step_drift
 from driftlab.motion.profiles import Coning
@@ -13,6 +18,7 @@ from driftlab.quaternion import (
     conjugate,
     from_rotation_vector,
     multiply,
+    rotation_angle,
     to_rotation_vector,
 )
 from support import EPS
@@ -33,13 +39,14 @@ def window(half_angle, x, samples, memory):
     return cone_increments(np.asarray(half_angle)[..., np.newaxis], x, x * places)
 
 
-def covariant(rng, rows):
-    """A rotation vector of sums, cross and dot products drawn at random; none is symmetric."""
+def covariant(rng, rows, *, lengths):
+    """A rotation vector of sums, cross and dot products, and lengths, drawn at random."""
     terms = list(np.moveaxis(rows, -2, 0))
     for _ in range(4):
         i, j, k = rng.integers(len(terms), size=3)
         square = np.sum(terms[i] * terms[j], axis=-1, keepdims=True)
-        terms += [np.cross(terms[i], terms[j]), square * terms[k]]
+        factor = np.sqrt(np.abs(square)) if lengths else square
+        terms += [np.cross(terms[i], terms[j]), factor * terms[k]]
     weights = rng.normal(size=len(terms))
     weights[: rows.shape[-2]] += 1 / rows.shape[-2]
     return sum(weight * term for weight, term in zip(weights, terms, strict=True))
@@ -57,15 +64,16 @@ def test_cone_run_backwards_is_the_cone_turned_upside_down(half_angle):
     np.testing.assert_allclose(steps[1], HALF_TURN * steps[0], rtol=0, atol=8 * EPS)
 
 
+@pytest.mark.parametrize("lengths", [False, True])
 @pytest.mark.parametrize("seed", range(8))
-def test_drift_of_any_covariant_algorithm_is_odd_in_the_angle_of_a_step(seed):
-    """So it is even in the step for each second, and no odd order is among its powers."""
+def test_drift_of_any_covariant_algorithm_is_odd_in_the_angle_of_a_step(seed, lengths):
+    """If it is a power series too, it has odd powers only: even ones for each second."""
     rng = np.random.default_rng(seed)
     samples, memory = int(rng.integers(1, 4)), int(rng.integers(4))
     drifts = []
     for x in (0.3, -0.3):
         rows = window(WIDE, np.full(4, x), samples, memory)
-        vector = 0.3 * covariant(np.random.default_rng(seed), rows)
+        vector = 0.3 * covariant(np.random.default_rng(seed), rows, lengths=lengths)
         drifts.append(step_drift(from_rotation_vector(vector), WIDE, np.full(4, samples * x)))
     np.testing.assert_allclose(drifts[0], -drifts[1], rtol=0, atol=64 * EPS)
     assert np.all(np.abs(drifts[0]) > 1e-6)
@@ -93,6 +101,50 @@ def test_random_algorithm_of_third_order_drifts_with_the_fourth(seed, half_angle
     assert slope(drift, x) == pytest.approx(4, abs=0.1)
     assert slope(lambda x: error(x)[0], x) == pytest.approx(4, abs=0.1)
     assert slope(lambda x: error(x)[1], x) == pytest.approx(5, abs=0.1)
+
+
+@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("half_angle", WIDE)
+def test_random_algorithm_with_the_cube_of_a_length_drifts_with_the_third(seed, half_angle):
+    algorithm = random_algorithm(np.random.default_rng(seed))
+
+    def drift(x):
+        rows = window(half_angle, x, algorithm.samples, algorithm.memory)
+        vector = to_rotation_vector(step_quaternions(algorithm.steps, rows, algorithm.memory)[0])
+        vector *= 1 + 10 * np.linalg.norm(vector) ** 3
+        turned = from_rotation_vector(vector)
+        return (
+            abs(step_drift(turned, np.asarray(half_angle), np.asarray(algorithm.samples * x))) / x
+        )
+
+    assert slope(drift, 0.015 / algorithm.window) == pytest.approx(3, abs=0.1)
+
+
+def stretched(increments):
+    f = increments[0::2] + increments[1::2]
+    f = f + 2 / 3 * np.cross(increments[0::2], increments[1::2])
+    return f * (1 + np.linalg.norm(f, axis=-1, keepdims=True) ** 3 / 2)
+
+
+def weighed(increments):
+    f = increments[0::2] + increments[1::2]
+    weight = 2 / 3 + 0.3 * np.linalg.norm(f, axis=-1, keepdims=True)
+    return f + weight * np.cross(increments[0::2], increments[1::2])
+
+
+@pytest.mark.parametrize("own", [stretched, weighed])
+def test_odd_power_of_a_length_is_of_third_order_and_drifts_with_the_third_power(own):
+    def drift(x):
+        return np.abs(coning_drift(own, WIDE[:3], 1.0, x / (2 * np.pi)))
+
+    np.testing.assert_allclose(np.log2(drift(0.03) / drift(0.015)), 3, rtol=0, atol=0.02)
+
+    def error(step):
+        ends = step * np.arange(1, round(2 / step) + 1)
+        found = integrate(SHIP.increments(step / 2, 2 * len(ends)), own, start=SHIP.attitude(0))
+        return rotation_angle(multiply(conjugate(SHIP.attitude(ends)), found)).max()
+
+    assert slope(error, 2 / 512) == pytest.approx(3, abs=0.05)
 
 
 @pytest.mark.parametrize("step_angle", [0.05, 0.3, 1.5])

@@ -1,4 +1,4 @@
-"""Attitude algorithms drawn at random, to try what should hold for all of them on a cone."""
+"""Attitude algorithms drawn at random, to try on a cone what holds for power series."""
 
 from typing import get_args
 
@@ -14,10 +14,11 @@ from .algorithms import SHIP
 
 
 def random_algorithm(rng: np.random.Generator) -> Algorithm:
-    """Draw an algorithm of third order: any number of increments, any weights, any last stage.
+    """Draw an algorithm of third order: three to five increments, random weights and stages.
 
-    The weights of the cross products are random but for one condition: a rate that is linear in
-    time must be integrated to third order.
+    Every last stage of the package is a power series in the increments. The weights of the cross
+    products are random but for one condition: a rate that is linear in time must be integrated to
+    third order.
     """
     with_memory, window = bool(rng.integers(2)), int(rng.integers(3, 6))
     samples = 1 if with_memory else window
