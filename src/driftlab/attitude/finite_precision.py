@@ -2,8 +2,9 @@
 
 Perelyaev and Chelnokov remark, at the end of section 1, that the scalar part l0 of a step's
 quaternion is so close to 1 that a short word loses the difference, and advise to use 1 - l0
-instead. Here all arithmetic runs in the requested precision, in the order in which an on-board
-computer would do it, so that the advice can be compared with its alternatives.
+instead. (The letter is lost in the copy at hand; l0 is a reading.) Here all arithmetic runs in the
+requested precision, in the order in which an on-board computer would do it, so that the advice can
+be compared with its alternatives.
 """
 
 from __future__ import annotations
@@ -99,8 +100,8 @@ def integrate_finite_word(
         Order of summation of the four products in a component: a large one with the scalar part l0
         of the step and three small ones. ``"product"`` adds the first two, the last two, and the
         sums. ``"complement"`` adds to the old component the three small ones and the product with
-        -(1 - l0), as the paper advises; ``"compensated"`` also carries the rounding error of this
-        last sum into the next step (Kahan summation).
+        -(1 - l0), a reading of the paper's advice; ``"compensated"`` also carries the rounding
+        error of this last sum into the next step (Kahan summation).
     fused : bool
         Whether the four products of a component are added by fused multiply-add, which rounds a
         product and the sum that it joins once. Not with words of 64 bits.

@@ -42,6 +42,8 @@ def integrate(
         samples, see chapter 06; for these there is `increments_from_rates`.
     algorithm : str or Algorithm or FunctionalIteration or callable
         A key of `ALGORITHMS`, a custom algorithm, or one's own function as in `own_algorithms`.
+        `one-step-3`, `two-step-3` and `two-step-4` are reconstructed from the abstract of
+        Perelyaev and Chelnokov, and need not be the authors' own forms.
     start : array_like or Rotation, shape (..., 4)
         Attitude before the first increment; brought to unit norm.
     history : array_like, shape (..., m, 3), optional

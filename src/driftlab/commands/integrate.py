@@ -48,7 +48,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--algorithm",
         default="two-step-4",
         choices=sorted(ALGORITHMS),
-        help="attitude algorithm of chapter 06 (default: two-step-4)",
+        help="attitude algorithm of chapter 06 (default: two-step-4); one-step-3, two-step-3 and "
+        "two-step-4 are reconstructed from the abstract of Perelyaev and Chelnokov",
     )
     parser.add_argument(
         "--start",

@@ -34,6 +34,7 @@ from driftlab.book.ch06_picard_algorithms.experiments import (
     algorithm_errors,
     carried_floor,
     coning_area,
+    errors_by_step,
     missed_part,
     precession_error,
     precession_error_of_peer,
@@ -226,6 +227,21 @@ def test_short_word_gains_from_the_advice_where_the_scalar_part_is_not_one(
             for of_update in (product, small_first, complement)
         ]
         assert most[2] < min(most[:2]) / 2
+
+
+@pytest.mark.parametrize("degrees", [0, 1, 5, 20, 60])
+def test_advice_gains_on_cones_up_to_a_hundredth_of_a_radian_a_step(degrees: int) -> None:
+    """Beyond, the rounding of the step itself is as large, and the advice may lose."""
+    steps = np.array([6e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 0.05, 0.1, 0.2, 0.3, 0.45, 0.6])
+    steps = steps[steps < 1.6 * np.pi * np.sin(np.radians(degrees or 60) / 2)]
+    errors = errors_by_step(np.radians(degrees), steps)
+    gains = np.minimum(errors["product"], errors["small terms first"]) / errors["complement"]
+    short = steps <= 0.01
+    assert (gains[short] > 1.1).all()
+    assert gmean(gains[short]) > 4
+    assert (errors["compensated"][short] < errors["complement"][short] / 5).all()
+    if degrees in (0, 20, 60):
+        assert gains[~short].min() < 0.9
 
 
 def test_scalar_part_is_stored_as_one_below_the_line_and_not_above() -> None:

@@ -66,6 +66,7 @@ from .word_length import (
     STORED_AS_ONE as STORED_AS_ONE,
     WORD_MOTIONS as WORD_MOTIONS,
     advice_gains as advice_gains,
+    errors_by_step as errors_by_step,
     rows_of as rows_of,
     short_word_errors as short_word_errors,
 )

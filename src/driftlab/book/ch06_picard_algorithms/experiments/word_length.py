@@ -12,6 +12,7 @@ from driftlab.attitude.finite_precision import UPDATES, Update, integrate_finite
 from driftlab.attitude.integration import integrate
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, whole_number
+from driftlab.core.coning import cone_increments
 from driftlab.motion.profiles import Motion
 from driftlab.quaternion import conjugate, multiply, rotation_angle
 
@@ -152,3 +153,25 @@ def _increments(name: str, step_angle: float, steps: int, starts: int, seed: int
     rms = np.sqrt(3 * WAVES / 2) * WAVE_RATE
     interval = step_angle / 2 / rms
     return random_increments(np.random.default_rng(seed), starts, count, interval)
+
+
+def errors_by_step(
+    half_angle: float, step_angles: FloatArray, *, steps: int = 1000, starts: int = 24
+) -> dict[Update, FloatArray]:
+    """Errors in words of 32 bits (n,), rad, by update, at steps of these angles (n,) on a cone.
+
+    Each product and each sum is rounded. Without a half angle it is a steady turn about `AXIS`.
+    """
+    increments = np.tile(AXIS / 2, (2 * steps, 1)) * step_angles[:, np.newaxis, np.newaxis]
+    if half_angle:
+        # The rate of a cone is 2 sin(a/2) times the rate at which it goes round.
+        x = step_angles[:, np.newaxis] / (4 * np.sin(half_angle / 2))
+        increments = cone_increments(np.asarray(half_angle), x, x * (np.arange(2 * steps) + 0.5))
+    attitudes = np.random.default_rng(6).normal(size=(starts, 4)).astype(np.float32)
+    true_end = integrate(increments[:, np.newaxis], start=attitudes)[..., -1, :]
+    errors = {}
+    for update in UPDATES:
+        found = integrate_finite_word(increments[:, np.newaxis], start=attitudes, update=update)
+        turned = multiply(conjugate(true_end), found[..., -1, :].astype(float))
+        errors[update] = np.sqrt(np.mean(rotation_angle(turned) ** 2, axis=-1))
+    return errors

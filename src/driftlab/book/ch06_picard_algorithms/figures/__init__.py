@@ -37,7 +37,8 @@ FIGURES = (
             f"{experiments.DURATION:g} s against the rate at which the gyros are read; published "
             "for four motions. The small cone and the fixed axis hide the third-order errors that "
             "the ship shows; on the wide cone they show as a wobble that does not grow. On a fixed "
-            "axis the rotation vectors have no error but rounding."
+            "axis the rotation vectors have no error but rounding. The algorithms of Perelyaev "
+            "and Chelnokov are reconstructed."
         ),
     ),
     FigureDefinition(
@@ -46,7 +47,8 @@ FIGURES = (
         coning_drift.draw,
         lambda _: (
             "Apparent drift of a body that does not turn on the whole: marks measured over "
-            f"{SIMULATED_STEPS} steps of each algorithm, lines from a single step."
+            f"{SIMULATED_STEPS} steps of each algorithm, lines from a single step. The "
+            "algorithms of Perelyaev and Chelnokov are reconstructed."
         ),
     ),
     FigureDefinition(
@@ -58,7 +60,8 @@ FIGURES = (
             f"Drift on a cone that is sampled {table.samples_a_round} times a round; error of one "
             "step about a fixed axis, where the rotation vector has none but rounding; error at "
             "the end of random motions about three axes, over that of the rotation vector; and "
-            "operations of a step, a sine counted as one."
+            "operations of a step, a sine counted as one. The stages are reconstructed: the "
+            "paper's own comparison is not in our text of it."
         ),
     ),
     FigureDefinition(
@@ -103,7 +106,9 @@ FIGURES = (
             f"{table.steps} steps, its length divided out, by the angle of a step. "
             "Where each product is rounded, 1 - λ0 errs several times less than the two updates "
             "with λ0 as soon as λ0 differs from 1 in the word, right of the dotted line. A "
-            f"compensated sum errs least. Root mean square of {table.starts} attitudes."
+            f"compensated sum errs least. Root mean square of {table.starts} attitudes. Steps up "
+            "to 0.01 rad, of the reconstructed algorithm; the update with 1 - λ0 is our reading of "
+            "the paper's advice."
         ),
         kept=True,
     ),
