@@ -40,6 +40,7 @@ from .last_stages import (
     RANDOM_MOTIONS as RANDOM_MOTIONS,
     STAGE_LABELS as STAGE_LABELS,
     last_stage_errors as last_stage_errors,
+    random_errors as random_errors,
     stage_drift as stage_drift,
 )
 from .noise_and_band import (

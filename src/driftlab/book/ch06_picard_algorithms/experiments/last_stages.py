@@ -14,7 +14,7 @@ from driftlab.checks import FloatArray, whole_number
 from driftlab.core.coning import cone_increments, step_drift
 from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle
 
-from .random_motion import random_increments
+from .random_motion import FREQUENCIES, WAVE_RATE, random_increments
 
 PAIR = CONING_ALGORITHMS["two-step-4"]
 """The increments and the coning correction that all last stages start from."""
@@ -62,7 +62,7 @@ def last_stage_errors(
         step = _step(stage, halves)
         fixed_axis.append(2 * np.arctan2(step[:, 2], step[:, 3]) - STEP_ANGLES)
         stretched.append(np.linalg.norm(step, axis=-1) - 1)
-    random = np.array([_random_errors(rng, turning, count) for turning in RANDOM_KINDS.values()])
+    random = np.array([random_errors(rng, turning, count) for turning in RANDOM_KINDS.values()])
     ratios = np.quantile(random[:, :-1] / random[:, -1:], QUANTILES, axis=-1).swapaxes(0, 1)
     quantiles = [[*RANDOM_KINDS], [f"{100 * part:g} %" for part in QUANTILES]]
     error, labels = np.abs(fixed_axis), [*STAGE_LABELS.values()]
@@ -110,10 +110,25 @@ def _cost(stage: str) -> int:
     return sum(driftlab.symbolic.operations(program).values())
 
 
-def _random_errors(rng: np.random.Generator, turning: float, motions: int) -> FloatArray:
+def random_errors(
+    rng: np.random.Generator,
+    turning: float,
+    motions: int,
+    *,
+    frequencies: tuple[float, float] = FREQUENCIES,
+    wave_rate: float = WAVE_RATE,
+) -> FloatArray:
     """Errors (stage, motion) at the end of random motions, rad."""
     count = RANDOM_RATE * RANDOM_SECONDS
-    fine = random_increments(rng, motions, FINER * count, 1 / (FINER * RANDOM_RATE), turning)
+    fine = random_increments(
+        rng,
+        motions,
+        FINER * count,
+        1 / (FINER * RANDOM_RATE),
+        turning,
+        frequencies=frequencies,
+        wave_rate=wave_rate,
+    )
     true = integrate(fine, "rotation-vector-2")[:, -1]
     pairs = fine.reshape(motions, -1, PAIR.samples, FINER, 3).sum(axis=-2)
     errors = []

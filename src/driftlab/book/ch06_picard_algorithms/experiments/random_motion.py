@@ -13,16 +13,23 @@ WAVE_RATE = 0.5
 
 
 def random_increments(
-    rng: np.random.Generator, motions: int, count: int, interval: float, turning: float = 0.0
+    rng: np.random.Generator,
+    motions: int,
+    count: int,
+    interval: float,
+    turning: float = 0.0,
+    *,
+    frequencies: tuple[float, float] = FREQUENCIES,
+    wave_rate: float = WAVE_RATE,
 ) -> FloatArray:
     """Integrals (motions, count, 3) of random body rates over equal intervals, rad.
 
     `turning` is the standard deviation of each component of a constant rate that is added, rad/s.
     """
     shape = (motions, 1, WAVES, 3)
-    lowest, highest = np.log(FREQUENCIES)
+    lowest, highest = np.log(frequencies)
     frequency = 2 * np.pi * np.exp(rng.uniform(lowest, highest, size=shape))
-    amplitude = WAVE_RATE * rng.standard_normal(shape)
+    amplitude = wave_rate * rng.standard_normal(shape)
     phase = rng.uniform(0, 2 * np.pi, size=shape)
     middle = interval * (np.arange(count) + 0.5)[:, np.newaxis, np.newaxis]
     # Each sine is integrated over the interval around its middle, exactly.
