@@ -10,7 +10,7 @@ from driftlab.drift.systematic_drift import drift_coefficient, drift_per_revolut
 from driftlab.earth import EARTH_RATE
 from driftlab.motion import Coning
 from driftlab.vectors import cross_matrix
-from support import EPS, directions, matrices, order_of, vectors
+from support import EPS, directions, matrices, order_of, quaternions, vectors
 
 SHAPE = np.array([[0.3, -0.8, 0.5], [0.9, -0.2, 0.7], [-0.6, 0.4, 0.1]])
 TUMBLE = np.pi / 2 * np.tile([[1, 0, 0], [0, 1, 0]], (3, 1))
@@ -58,10 +58,12 @@ def test_skew_part_leaves_nothing_on_any_closed_motion(way, kappa):
     np.testing.assert_allclose(drift, 0, atol=1e-13)
 
 
-def test_rotated_block_leaves_exactly_nothing():
-    rotated = Rotation.from_rotvec([0.3, -0.2, 0.1]).as_matrix() - np.eye(3)
-    for increments in (TUMBLE, closed(WAY)):
-        np.testing.assert_allclose(exact_drift_per_cycle(increments, rotated), 0, atol=1e-14)
+@pytest.mark.filterwarnings("ignore::driftlab.checks.UnusualWarning")  # it may be turned far
+@given(st.lists(vectors(3.0), min_size=1, max_size=6), quaternions())
+def test_rotated_block_leaves_exactly_nothing(way, attitude):
+    rotated = Rotation.from_quat(attitude).as_matrix() - np.eye(3)
+    for increments in (TUMBLE, closed(way)):
+        np.testing.assert_allclose(exact_drift_per_cycle(increments, rotated), 0, atol=1e-13)
 
 
 @every_motion
@@ -134,12 +136,12 @@ def test_continuous_motion_against_quadrature():
     np.testing.assert_allclose(found, expected, rtol=0, atol=(2 * np.pi / samples) ** 2)
 
 
-@given(vectors(1.0), matrices(1.0))
-def test_small_motion_counts_by_the_area_of_its_rotation_vector(axis, error_matrix):
-    """(tr M I - M - M^T) times the area that the rotation vector goes round."""
-    phase = np.linspace(0, 2 * np.pi, 49)
-    size = 1e-3
-    path = size * np.stack([np.cos(phase), axis[0] * np.sin(phase), axis[1] * np.sin(phase)], -1)
+@given(st.integers(0, 1000), matrices(0.3))
+def test_small_motion_counts_by_the_area_of_its_rotation_vector(seed, error_matrix):
+    """(tr M I - M - M^T) times the area that the rotation vector goes round, on any closed way."""
+    size, waves = 1e-3, np.outer(np.linspace(0, 2 * np.pi, 97), [1, 2, 3])
+    there, back = np.random.default_rng(seed).normal(size=(2, 3, 3))
+    path = size / 4 * (np.cos(waves) @ there + np.sin(waves) @ back)  # not in one plane
     attitudes = Rotation.from_rotvec(path)
     motion = (attitudes[:-1].inv() * attitudes[1:]).as_rotvec()
     area = np.cross(path[:-1], path[1:]).sum(axis=0) / 2

@@ -47,9 +47,9 @@ def senses(
 
 @pytest.mark.parametrize(("speed", "found"), [(10, 52.46), (30, 17.49), (60, 8.74)])
 def test_a_perfect_triad_on_the_earth(speed, found):
-    there, back = senses(
-        YATES_AXES, rate=np.radians(speed), latitude=np.radians(37.5), samples=3600
-    )
+    """About any axis."""
+    axes = np.random.default_rng(6).normal(size=(8, 3))
+    there, back = senses(axes, rate=np.radians(speed), latitude=np.radians(37.5), samples=3600)
     np.testing.assert_allclose(there / arcsecond, found, rtol=0, atol=0.005)
     np.testing.assert_allclose((there + back) / 2 / arcsecond, 0, atol=3e-8)
     # The tangent of (3.3) adds the cube of the Earth's angle, 360 parts in a thousand million.
@@ -58,12 +58,13 @@ def test_a_perfect_triad_on_the_earth(speed, found):
 
 
 @pytest.mark.parametrize("turns", [1, 3])
-def test_the_perfect_triad_in_closed_form(turns):
+@pytest.mark.parametrize("latitude", [SARATOV, -1.3, 0.1])
+def test_the_perfect_triad_in_closed_form(turns, latitude):
     """(3.3) of the Earth's own rotation in the time of the turns, which is exact."""
     time = turns * 2 * np.pi / RATE
     half = EARTH_RATE * time / 2
-    expected = np.arctan(np.sin(SARATOV) * np.tan(half)) / (turns * np.pi)
-    found = senses(YATES_AXES, turns=turns, samples=3600 * turns)
+    expected = np.arctan(np.sin(latitude) * np.tan(half)) / (turns * np.pi)
+    found = senses(YATES_AXES, turns=turns, samples=3600 * turns, latitude=latitude)
     np.testing.assert_allclose(found, [[expected] * 4, [-expected] * 4], rtol=0, atol=1e-12)
 
 
@@ -81,18 +82,34 @@ def test_the_triad_of_chapter_11_its_trap_and_its_cures():
     np.testing.assert_allclose(mean / arcsecond, [-30, 20, 30], rtol=0, atol=0.005)
 
 
-@pytest.mark.parametrize("ramp", [0.0, 5.0])
+@pytest.mark.parametrize("ramp", [0.0, 2.0])
 @pytest.mark.parametrize("rest", [0.0, 7.0])
-def test_first_order_of_earth_and_bias_with_ramps_and_rest(ramp, rest):
-    bias = np.array([3.0, -2.0, 1.0]) * degree / hour
-    found = senses(YATES_AXES, gyro_error_matrix=BENT, bias=bias, ramp=ramp, dwell=rest, turns=2)
-    mean_rate = BOTH * TurntableRotation(RATE, 2, SARATOV, ramp=ramp, dwell=rest).mean_rate
+@pytest.mark.parametrize("seed", range(6))
+def test_first_order_of_earth_and_bias_with_ramps_and_rest(ramp, rest, seed):
+    """Anywhere on the Earth; what is common to all axes leaves an offset, and no more."""
+    rng = np.random.default_rng(seed)
+    rate, latitude, turns = rng.uniform(0.1, 1.0), rng.uniform(-1.4, 1.4), int(rng.integers(1, 4))
+    bias = rng.uniform(-10, 10, 3) * degree / hour
+    bent = rng.uniform(-1, 1, (3, 3)) * 1e-3
+    np.fill_diagonal(bent, bent[0, 0])
+    there, back = found = senses(
+        YATES_AXES, gyro_error_matrix=bent, bias=bias, rate=rate, latitude=latitude, ramp=ramp,
+        dwell=rest, turns=turns,
+    )  # fmt: skip
+    mean_rate = BOTH * TurntableRotation(rate, turns, latitude, ramp=ramp, dwell=rest).mean_rate
     n_b = YATES_AXES @ bias
-    expected = drift_coefficient(YATES_AXES, BENT) + np.add.outer(
-        earth_rate_offset(SARATOV, mean_rate), np.zeros(4)
+    expected = drift_coefficient(YATES_AXES, bent) + np.add.outer(
+        earth_rate_offset(latitude, mean_rate), np.zeros(4)
     ) + n_b / mean_rate[:, None]  # fmt: skip
-    # Second order: squares and products of numbers of 4e-4 at most.
-    np.testing.assert_allclose(found, expected, rtol=0, atol=4e-4**2)
+    # Second order: squares and products of the bend, and of the Earth and the bias in a turn.
+    size = np.linalg.norm(bent) + (EARTH_RATE + np.linalg.norm(bias)) / mean_rate[0]
+    close = {"rtol": 0, "atol": size**2}
+    np.testing.assert_allclose(found, expected, **close)
+    np.testing.assert_allclose((there + back) / 2, drift_coefficient(YATES_AXES, bent), **close)
+    fit = fit_turns(there - n_b / mean_rate[0], YATES_AXES, "common")
+    sigma = (bent + bent.T)[[0, 0, 1], [1, 2, 2]] / 2
+    # Its weights for four estimates have squares that add up to two.
+    np.testing.assert_allclose(fit.sigma, sigma, rtol=0, atol=2 * np.sqrt(2) * size**2)
 
 
 def test_an_error_of_the_angle_is_of_first_order_and_the_same_in_both_senses():
@@ -126,10 +143,20 @@ def test_an_error_of_the_axis_enters_in_products():
     """With M twice e.Sigma n, the same in both senses; with the Earth its level part, reversed."""
     n, e = np.array([1.0, 1.0, 0.0]) / np.sqrt(2), np.array([0.0, 0.0, 1.0])
     shift = 1e-3
-    exact, off = (senses(n, n + s * e, gyro_error_matrix=BENT, samples=3600) for s in (0.0, shift))
+    rng = np.random.default_rng(3)
+    axes, ways = np.vstack([n, rng.normal(size=(5, 3))]), np.vstack([e, rng.normal(size=(5, 3))])
+    axes /= np.linalg.norm(axes, axis=1, keepdims=True)
+    ways = np.cross(np.cross(axes, ways), axes)
+    exact, off = (
+        senses(axes, axes + s * ways, gyro_error_matrix=BENT, samples=3600) for s in (0.0, shift)
+    )
     change = off - exact
-    assert change.mean() == pytest.approx(shift * 2 * e @ BENT @ n, rel=0.01)
-    assert 0 < abs(change @ BOTH / 2) < shift * EARTH_RATE / RATE
+    products = shift * 2 * np.einsum("ni,ij,nj->n", ways, BENT, axes)
+    rest = 2 * shift**2 * (ways**2).sum(axis=1) * np.linalg.norm(BENT)
+    assert (np.abs(change.mean(axis=0) - products) < rest).all()
+    earth = np.abs(BOTH @ change / 2)
+    assert (earth < shift * np.linalg.norm(ways, axis=1) * EARTH_RATE / RATE).all()
+    assert earth[0] > 0
 
     def product(size):
         bend = size * BENT / np.abs(BENT).max()
