@@ -47,7 +47,7 @@ def narrow_drift(name, half_angle, x):
 
 @every_algorithm
 def test_one_step_tells_the_drift_of_many(name):
-    for (count, turns), degrees in product(RHYTHMS, [1.0, 20.0, 60.0, 90.0]):
+    for (count, turns), degrees in product(RHYTHMS, [1.0, 20.0, 60.0, 90.0, 150.0]):
         half_angle = np.radians(degrees)
         if (name, count, degrees) == ("rotation-vector-3", 30, 90.0):
             with pytest.raises(ValueError, match="less than half a turn a step"):

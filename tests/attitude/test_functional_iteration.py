@@ -157,15 +157,15 @@ def test_agrees_with_a_precise_integration_of_any_smooth_rate():
 # Drift
 
 
-def test_drift_on_the_wide_cone_of_the_issue():
+def test_drift_on_the_wide_cone():
     """10° at 5 Hz, sampled at 100 Hz, in degrees per hour."""
 
     def drift(algorithm):
         return 3600 * np.degrees(abs(coning_drift(algorithm, np.radians(10), 5.0, 0.01)))
 
-    assert drift(NAME) < 1e-4
+    assert drift(NAME) == pytest.approx(4e-5, rel=0.1)
     assert drift(of(8)) < 1e-2
-    assert min(drift(name) for name in CONING_ALGORITHMS) > 1
+    assert min(drift(name) for name in CONING_ALGORITHMS) == pytest.approx(1.5, rel=0.02)
 
 
 @pytest.mark.parametrize("degrees", [1.0, 20.0, 60.0])
@@ -198,7 +198,7 @@ def test_window_leaves_less_than_the_best_of_the_seven_from_some_samples_a_round
     assert (abs(coning_drift(of(window), cone, 1.0, interval)) < np.min(seven, axis=0) / 1.2).all()
 
 
-@pytest.mark.parametrize("degrees", [1.0, 10.0])
+@pytest.mark.parametrize("degrees", [1.0, 10.0, 30.0])
 def test_window_of_six_loses_below_four_samples_a_round(degrees):
     cone, interval = np.radians(degrees), 1 / np.linspace(2.5, 3.9, 30)
     seven = [abs(coning_drift(name, cone, 1.0, interval)) for name in CONING_ALGORITHMS]

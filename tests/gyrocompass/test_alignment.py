@@ -136,14 +136,15 @@ def test_errors_are_of_first_order_and_what_the_formulas_say(latitude):
         assert fine == pytest.approx(coarse / 4, rel=0.15, abs=1e-14 * steep)
 
 
-def test_the_attitude_error_holds_in_every_attitude():
+@pytest.mark.parametrize("latitude", [-1.2, 0.0, LATITUDE])
+def test_the_attitude_error_holds_in_every_attitude(latitude):
     attitude = np.concatenate(
         [random_quaternions(40, seed=5), from_euler_angles([0.3, 2.0], np.pi / 2, 0.2)]
     )
-    expected = alignment_attitude_error(LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS)
+    expected = alignment_attitude_error(latitude, GYRO_BIAS, ACCELEROMETER_BIAS)
 
     def gap(scale):
-        found = aligned_with(scale, attitude, LATITUDE).attitude
+        found = aligned_with(scale, attitude, latitude).attitude
         error = to_rotation_vector(multiply(found, conjugate(attitude)))
         return np.abs(error - scale * expected).max()
 
@@ -169,10 +170,11 @@ def test_errors_that_do_no_harm():
 # The compass at work
 
 
-def test_without_motion_the_operating_formula_is_the_alignment_formula():
+@pytest.mark.parametrize("latitude", [-1.2, 0.0, LATITUDE])
+def test_without_motion_the_operating_formula_is_the_alignment_formula(latitude):
     north, east = ACCELEROMETER_BIAS[0] / 9.8, ACCELEROMETER_BIAS[2] / 9.8
     working = operating_heading_error(
-        LATITUDE,
+        latitude,
         [0.0, 0.0],
         # Accelerometers that err hold the horizon where they read zero.
         [east, -north],
@@ -182,7 +184,7 @@ def test_without_motion_the_operating_formula_is_the_alignment_formula():
         HEADING,
         PITCH,
     )
-    aligned = alignment_errors(HEADING, PITCH, LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS, gravity=9.8)
+    aligned = alignment_errors(HEADING, PITCH, latitude, GYRO_BIAS, ACCELEROMETER_BIAS, gravity=9.8)
     assert np.allclose(working.heading, aligned.heading, rtol=1e-12)
     assert np.allclose(working.compass_angle, working.heading - 0.01, rtol=1e-12)
 
@@ -211,9 +213,11 @@ def test_operating_formula_as_the_paper_has_it():
     assert found.compass_angle == pytest.approx(expected, rel=1e-12)
 
 
-def test_operating_formula_is_the_derivative_of_the_compass_angle():
-    velocity = np.array([15.0, 20.0])
-    rate = navigation_frame_rate(LATITUDE, velocity)
+@pytest.mark.parametrize("seed", range(6))
+def test_operating_formula_is_the_derivative_of_the_compass_angle(seed):
+    rng = np.random.default_rng(seed)
+    velocity, latitude = rng.uniform(-30, 30, 2), rng.uniform(-1.3, 1.3)
+    rate = navigation_frame_rate(latitude, velocity)
 
     def compass(tilt, tilt_rate, gyro_bias):
         # A horizon turned by (alpha, 0, chi), and turning, seen from its own axes.
@@ -221,11 +225,11 @@ def test_operating_formula_is_the_derivative_of_the_compass_angle():
         own = rate + np.cross(rate, delta) + [tilt_rate[0], 0, tilt_rate[1]]
         return np.arctan2(own[2] + gyro_bias[1], own[0] + gyro_bias[0])
 
-    zero, rng = np.zeros(2), np.random.default_rng(2)
+    zero = np.zeros(2)
     tilt, tilt_rate, gyro_bias = 1e-6 * rng.normal(size=2), *(1e-10 * rng.normal(size=(2, 2)))
     change = (compass(tilt, tilt_rate, gyro_bias) - compass(-tilt, -tilt_rate, -gyro_bias)) / 2
-    formula = operating_heading_error(LATITUDE, velocity, tilt, tilt_rate, gyro_bias, 0.0, 0.0, 0.0)
-    assert compass(zero, zero, zero) == pytest.approx(speed_error(LATITUDE, velocity))
+    formula = operating_heading_error(latitude, velocity, tilt, tilt_rate, gyro_bias, 0.0, 0.0, 0.0)
+    assert compass(zero, zero, zero) == pytest.approx(speed_error(latitude, velocity))
     assert formula.compass_angle == pytest.approx(change, rel=1e-6)
 
 

@@ -186,8 +186,8 @@ def stretches(seconds):
     return Increments(whole.interval, *parts), record.latitude
 
 
-@pytest.mark.parametrize(("seconds", "alarms"), [(70, 20), (300, 4)])
-def test_the_parked_car_gives_the_alarm_where_its_heading_is_wrong(seconds, alarms):
+@pytest.mark.parametrize(("seconds", "alarms", "missed"), [(70, 20, 1), (300, 4, 0)])
+def test_the_parked_car_gives_the_alarm_where_its_heading_is_wrong(seconds, alarms, missed):
     parts, latitude = stretches(seconds)
     means = [part.mean(axis=-2) / parts.interval for part in parts[1:]]
     found = align(*means, latitude=latitude, heading_tolerance=np.inf)
@@ -198,7 +198,7 @@ def test_the_parked_car_gives_the_alarm_where_its_heading_is_wrong(seconds, alar
     # in silence is above the tolerance.
     assert wrong[~alarm].max() < 1.0
     assert np.sum(alarm & (wrong < 0.5)) <= alarms / 4
-    assert np.sum(~alarm & (wrong > 0.5)) <= 1
+    assert np.sum(~alarm & (wrong > 0.5)) == missed
     # How large they are is not told: the car leans about one line more than about others.
     if seconds == 70:
         assert (wrong / np.degrees(found.heading_uncertainty)).max() > 10

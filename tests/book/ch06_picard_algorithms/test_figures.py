@@ -184,14 +184,15 @@ def test_random_increments_are_integrals_of_one_rate() -> None:
     np.testing.assert_allclose(rows, fine.reshape(3, 64, 4, 3).sum(axis=-2), rtol=0, atol=1e-14)
 
 
-@pytest.mark.parametrize("samples", [12, 24, 48])
+@pytest.mark.parametrize("samples", [5, 6, 12, 24, 48])
 def test_dimension_4_errs_less_than_dimension_3_beyond_narrow_cones(samples: int) -> None:
-    half_angles = np.radians([20.0, 45, 60, 90])
-    four, three = (
+    """And less than with the cube of the sum instead of the corrected sum's."""
+    half_angles = np.radians(np.arange(20.0, 180.0, 10.0))
+    four, three, cube = (
         np.abs(stage_drift(stage, half_angles, samples))
-        for stage in ("tangent", "tangent, dimension 3")
+        for stage in ("tangent", "tangent, dimension 3", "third iterate")
     )
-    assert np.all(four < three)
+    assert np.all(four < np.minimum(three, cube))
 
 
 @pytest.mark.parametrize("name", ["two-step-3", "two-step-4", "rotation-vector-2"])
@@ -216,7 +217,8 @@ def test_short_word_gains_from_the_advice_where_the_scalar_part_is_not_one(
         rows_of(table, update=update) for update in UPDATES
     )
     assert len(product) == len(ARITHMETICS) * len(WORD_MOTIONS) * len(STEP_ANGLES)
-    assert np.all(table.error[compensated] < table.error[complement])
+    for other in (product, small_first, complement):
+        assert np.all(table.error[compensated] < table.error[other])
     for name, arithmetic in ARITHMETICS.items():
         for motion in WORD_MOTIONS:
             for side in (False, True):
@@ -224,11 +226,11 @@ def test_short_word_gains_from_the_advice_where_the_scalar_part_is_not_one(
                     gmean(advice_gains(table, name, motion, other, above=side))
                     for other in ("small terms first", "product")
                 )
-                assert over_product > 1.2
+                assert over_product > max(1.2, gain)
                 if not side:
                     assert 0.8 < gain < 1.25
                 elif not arithmetic.fused:
-                    assert gain > 1.5
+                    assert gain > (1.8 if arithmetic.normalise else 10 if "cone" in motion else 3)
                 elif not arithmetic.normalise:
                     assert 0.77 < gain < 1.3
     # The figure is read from its CSV, so one motion is computed anew.

@@ -8,10 +8,12 @@ from scipy.constants import arcsecond
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.ch11_one_triad import experiments as capstone
 from driftlab.book.machinery.figure.publish import PublishedFigure
+from driftlab.book.scenarios import TURN, ship_manoeuvre
 from driftlab.calibration.simulation import TurntableTrial
 from driftlab.drift.turn_calibration import earth_rate_offset
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align
+from driftlab.gyrocompass.simulation import simulate_gyrocompass
 from driftlab.imu import TYPICAL_ERRORS
 from driftlab.motion.vehicle import static_imu
 from published import published
@@ -155,6 +157,23 @@ def test_the_step_is_short_enough_for_the_bent_triad(figure: PublishedFigure) ->
     assert np.degrees(largest(gap)) < 0.0005
     assert np.degrees(largest(fine.heading_error[0])) == pytest.approx(0.797, abs=0.001)
     assert np.degrees(largest(fine.heading_error[1])) == pytest.approx(0.315, abs=0.001)
+
+
+@pytest.mark.parametrize("latitude", [0.0, LATITUDE, np.radians(70)])
+def test_random_triads_harm_the_heading_more_in_a_quarter_turn_than_at_rest(
+    latitude: float,
+) -> None:
+    """By a median of thirteen and more, and nine in ten of them by more than three."""
+    matrices = 1e-4 * np.random.default_rng(1).normal(size=(200, 3, 3)) * (1 - np.eye(3))
+    way = ship_manoeuvre(latitude, speed=0.0, interval=16.0)
+    drifts = way.increments.mean_rate @ np.swapaxes(matrices, -1, -2)
+    voyages = simulate_gyrocompass(way, drifts, speed_log=True)
+    in_turn = np.abs(voyages.heading_error[:, voyages.times > sum(TURN)]).max(axis=-1)
+    headings = np.radians(np.arange(0.0, 360.0, 10.0))
+    rest = capstone.aligned_heading_error(matrices, headings, latitude)
+    ratio = in_turn / np.abs(rest).max(axis=-1)
+    assert np.median(ratio) > 12
+    assert np.mean(ratio > 3) > 0.9
 
 
 def test_what_a_real_calibration_leaves_does_not_depend_on_the_bend() -> None:

@@ -49,7 +49,9 @@ def test_restarts_in_inertial_space_repeat_and_means_do_not():
     assert np.degrees(two.high) < 0.5 < 10 < np.degrees(means.low)
     assert np.degrees(spread(car().longer[2]).high) < 0.03
     # The gap of "five times as much" in the notes of `align_in_inertial_frame`.
-    assert 3 < two.deviation / carried.deviation < 7
+    assert two.deviation / carried.deviation == pytest.approx(5, abs=0.2)
+    found = np.degrees([means.deviation, carried.deviation])
+    np.testing.assert_allclose(found, [15, 0.06], rtol=0.06)
     # The two methods have the same stretches, so the test is of pairs.
     assert chance_of_paired_ratio(*car().restarts[1:]) < 1e-6
 
