@@ -288,7 +288,10 @@ def test_triads_that_are_left_handed_or_flat_are_refused(frame, triad):
 
 
 def test_an_attitude_error_known_at_three_attitudes_shows_the_misalignment():
-    """phi(t) - phi(0) = (C(t) - C(0)) kappa: what navigation alone, as Wu says, cannot separate."""
+    """phi(t) - phi(0) = (C(t) - C(0)) kappa: what navigation alone, as Wu says, cannot separate.
+
+    Turns about one line leave the part of kappa along it.
+    """
     kappa = np.array([2e-4, -3e-4, 1e-4])
     first = Rotation.from_rotvec([0.3, -0.2, 0.5])
     attitudes, errors = [first.as_matrix()], [np.zeros(3)]
@@ -302,6 +305,8 @@ def test_an_attitude_error_known_at_three_attitudes_shows_the_misalignment():
         errors.append(errors[-1] + driven)
     design = np.vstack([attitude - attitudes[0] for attitude in attitudes[1:]])
     assert np.linalg.matrix_rank(design) == 3
+    again = first.as_matrix() @ Rotation.from_rotvec([1, 0, 0]).as_matrix()
+    assert np.linalg.matrix_rank(np.vstack([design[:3], again - attitudes[0]])) == 2
     found = np.linalg.lstsq(design, np.concatenate(errors[1:]), rcond=None)[0]
     np.testing.assert_allclose(found, kappa, rtol=1e-6)
 
