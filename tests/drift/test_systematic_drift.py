@@ -191,7 +191,7 @@ def test_2_2_is_off_by_no_more_than_its_bound():
     rng = np.random.default_rng(2)
     bent, n = rng.normal(size=(20000, 3, 3)), rng.normal(size=(20000, 3))
     n /= np.linalg.norm(n, axis=1)[:, np.newaxis]
-    m = 10 ** rng.uniform(-6, -1, len(n))
+    m = 10 ** rng.uniform(-6, -0.005, len(n))  # up to 0.99
     bent *= (m / np.linalg.norm(bent, 2, axis=(1, 2)))[:, np.newaxis, np.newaxis]
     error = np.einsum("nij,nj->ni", bent, n)
     rho = np.einsum("ni,ni->n", n, error)
@@ -331,7 +331,7 @@ def test_2_6_nu_is_2_sqrt2_pi_chi_to_first_order(sigma):
 
 def test_2_6_is_off_by_no_more_than_its_bound():
     rng = np.random.default_rng(3)
-    sigma = rng.choice([-1, 1], 2000) * 10 ** rng.uniform(-5, -1, 2000)
+    sigma = rng.choice([-1, 1], 2000) * 10 ** rng.uniform(-5, -0.31, 2000)  # up to 0.49
     chi = np.arctan(np.sqrt(2) * sigma)
     linear = sigma[:, np.newaxis, np.newaxis] * (np.ones((3, 3)) - np.eye(3))
     unit = (np.eye(3) + linear) * np.cos(chi)[:, np.newaxis, np.newaxis] - np.eye(3)
@@ -345,7 +345,8 @@ def test_2_6_is_off_by_no_more_than_its_bound():
         off = np.abs(nu - 2 * np.sqrt(2) * np.pi * chi)
         # The entries of I + M are rounded at one, and so is each eigenvalue.
         assert (off <= bound + 2 * np.pi * 32 * EPS).all()
-        assert (off[sigma > 1e-3] > 0.95 * bound[sigma > 1e-3]).all()
+        small = (sigma > 1e-3) & (sigma < 0.1)
+        assert (off[small] > 0.95 * bound[small]).all()
 
 
 @given(matrices(0.1), directions())

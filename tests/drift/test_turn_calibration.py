@@ -125,7 +125,7 @@ def test_bias_of_the_method_is_within_its_bound(turns):
     rng = np.random.default_rng(4)
     bent, n = rng.normal(size=(20000, 3, 3)), random_axes(20000)
     n /= np.linalg.norm(n, axis=1)[:, np.newaxis]
-    m = 10 ** rng.uniform(-6, -1, len(n))
+    m = 10 ** rng.uniform(-6, np.log10(0.49 / turns), len(n))
     bent *= (m / np.linalg.norm(bent, 2, axis=(1, 2)))[:, np.newaxis, np.newaxis]
     bias = np.abs(exact_turn_estimate(n, bent, turns) - drift_coefficient(n, bent))
     error = np.einsum("nij,nj->ni", bent, n)

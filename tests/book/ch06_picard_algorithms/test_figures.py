@@ -261,6 +261,7 @@ def test_advice_gains_on_cones_up_to_a_hundredth_of_a_radian_a_step(degrees: int
     short = steps <= 0.01
     assert (gains[short] > 1.1).all()
     assert gmean(gains[short]) > 4
+    assert (np.diff(gains[short & (steps >= 1e-3)]) < 0).all()
     assert (errors["compensated"][short] < errors["complement"][short] / 5).all()
     if degrees in (0, 20, 60):
         assert gains[~short].min() < 0.9
