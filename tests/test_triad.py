@@ -206,10 +206,7 @@ def test_result_does_not_depend_on_the_axes_at_hand(frame, matrix, q):
 
 @given(st.floats(-1.4, 1.4), st.floats(-0.7, 0.7))
 def test_plane_triad_is_turned_by_the_mean_of_its_two_angles(mean, half):
-    """Wu (43), (44), exactly: x and y gyros turned by angles x and y about the third axis.
-
-    However far, while the two are not parallel: less than a right angle apart from it.
-    """
+    """Wu (43), (44), exactly: x and y gyros turned about the third axis until they are parallel."""
     x, y = mean + half, mean - half
     matrix = np.array([[np.cos(x), np.sin(x), 0], [-np.sin(y), np.cos(y), 0], [0, 0, 1]]) - IDENTITY
     for frame, angle in (("averaged", (x + y) / 2), ("upper triangle", x), ("lower triangle", y)):
@@ -288,10 +285,7 @@ def test_triads_that_are_left_handed_or_flat_are_refused(frame, triad):
 
 
 def test_an_attitude_error_known_at_three_attitudes_shows_the_misalignment():
-    """phi(t) - phi(0) = (C(t) - C(0)) kappa: what navigation alone, as Wu says, cannot separate.
-
-    Turns about one line leave the part of kappa along it.
-    """
+    """phi(t) - phi(0) = (C(t) - C(0)) kappa: what navigation alone, as Wu says, cannot separate."""
     kappa = np.array([2e-4, -3e-4, 1e-4])
     first = Rotation.from_rotvec([0.3, -0.2, 0.5])
     attitudes, errors = [first.as_matrix()], [np.zeros(3)]
@@ -305,7 +299,7 @@ def test_an_attitude_error_known_at_three_attitudes_shows_the_misalignment():
         errors.append(errors[-1] + driven)
     design = np.vstack([attitude - attitudes[0] for attitude in attitudes[1:]])
     assert np.linalg.matrix_rank(design) == 3
-    again = first.as_matrix() @ Rotation.from_rotvec([1, 0, 0]).as_matrix()
+    again = (first * Rotation.from_rotvec([1, 0, 0])).as_matrix()  # about the same line
     assert np.linalg.matrix_rank(np.vstack([design[:3], again - attitudes[0]])) == 2
     found = np.linalg.lstsq(design, np.concatenate(errors[1:]), rcond=None)[0]
     np.testing.assert_allclose(found, kappa, rtol=1e-6)

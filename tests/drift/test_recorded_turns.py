@@ -47,7 +47,6 @@ def senses(
 
 @pytest.mark.parametrize(("speed", "found"), [(10, 52.46), (30, 17.49), (60, 8.74)])
 def test_a_perfect_triad_on_the_earth(speed, found):
-    """About any axis."""
     axes = np.random.default_rng(6).normal(size=(8, 3))
     there, back = senses(axes, rate=np.radians(speed), latitude=np.radians(37.5), samples=3600)
     np.testing.assert_allclose(there / arcsecond, found, rtol=0, atol=0.005)
@@ -98,14 +97,13 @@ def test_first_order_of_earth_and_bias_with_ramps_and_rest(ramp, rest, seed):
     )  # fmt: skip
     mean_rate = BOTH * TurntableRotation(rate, turns, latitude, ramp=ramp, dwell=rest).mean_rate
     n_b = YATES_AXES @ bias
-    expected = drift_coefficient(YATES_AXES, bent) + np.add.outer(
-        earth_rate_offset(latitude, mean_rate), np.zeros(4)
-    ) + n_b / mean_rate[:, None]  # fmt: skip
+    offset = earth_rate_offset(latitude, mean_rate)[:, None] + n_b / mean_rate[:, None]
     # Second order: squares and products of the bend, and of the Earth and the bias in a turn.
     size = np.linalg.norm(bent) + (EARTH_RATE + np.linalg.norm(bias)) / mean_rate[0]
     close = {"rtol": 0, "atol": size**2}
-    np.testing.assert_allclose(found, expected, **close)
-    np.testing.assert_allclose((there + back) / 2, drift_coefficient(YATES_AXES, bent), **close)
+    along = drift_coefficient(YATES_AXES, bent)
+    np.testing.assert_allclose(found, along + offset, **close)
+    np.testing.assert_allclose((there + back) / 2, along, **close)
     fit = fit_turns(there - n_b / mean_rate[0], YATES_AXES, "common")
     sigma = (bent + bent.T)[[0, 0, 1], [1, 2, 2]] / 2
     # Its weights for four estimates have squares that add up to two.
@@ -144,7 +142,7 @@ def test_an_error_of_the_axis_enters_in_products():
     n, e = np.array([1.0, 1.0, 0.0]) / np.sqrt(2), np.array([0.0, 0.0, 1.0])
     shift = 1e-3
     rng = np.random.default_rng(3)
-    axes, ways = np.vstack([n, rng.normal(size=(5, 3))]), np.vstack([e, rng.normal(size=(5, 3))])
+    axes, ways = np.concatenate([[[n], [e]], rng.normal(size=(2, 5, 3))], axis=1)
     axes /= np.linalg.norm(axes, axis=1, keepdims=True)
     ways = np.cross(np.cross(axes, ways), axes)
     exact, off = (

@@ -265,7 +265,7 @@ def test_2_3_after_whole_turns_the_error_is_drift_alone(turns, rate, error_matri
     measured = measured_rate(rate, error_matrix)
     time = 2 * np.pi * turns / np.linalg.norm(rate)
     _, drifting = split_error_rate_matrix(rate, measured)
-    bound = 128 * abs(turns) * EPS  # the angles, up to 4 pi j, carry a few eps each
+    bound = 128 * abs(turns) * EPS  # angles up to 4 pi j carry a few eps each
     np.testing.assert_allclose(
         expm(0.5 * time * error_rate_matrix(rate, measured)),
         expm(0.5 * time * drifting),
