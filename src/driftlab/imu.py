@@ -81,7 +81,7 @@ public PSINS toolbox; which off-diagonal entry gets which of them is our choice.
 
 @dataclass(frozen=True)
 class ImuNoise:
-    """White noise of the sensors and of the filter's reference velocity; zero for none.
+    """Noise of the sensors and of the filter's reference velocity; zero for none.
 
     Attributes
     ----------
@@ -92,9 +92,27 @@ class ImuNoise:
     reference_velocity : float
         Standard deviation of each component of the reference velocity, m/s, because the table is
         not quite at rest. Independent from one update of the filter to the next.
+    gyro_bias_instability, accelerometer_bias_instability : float
+        Standard deviation of the part of each bias that varies, rad/s and m/s^2: a stationary
+        first-order Gauss-Markov process, in addition to the constant (turn-on) bias.
+    gyro_correlation_time, accelerometer_correlation_time : float
+        Of these processes, s: in this time the autocorrelation falls to 1/e.
+
+    Notes
+    -----
+    Data sheets often call the flat, lowest part of the Allan deviation the bias instability. A
+    Gauss-Markov process with the standard deviation s and the correlation time T has an Allan
+    deviation that is largest at the averaging time 1.89 T, where it is 0.617 s. So s is 1.62 times
+    the flat part, and T the averaging time there divided by 1.89. The flat part is 0.664 B in IEEE
+    Std 952, so s is 1.08 times its coefficient B.
 
     Examples
     --------
+    Gyros whose biases vary by 0.003 degrees per hour (1σ) in some ten minutes:
+
+    >>> noise = ImuNoise(
+    ...     gyro_bias_instability=0.003 * degree / hour, gyro_correlation_time=600.0
+    ... )
     >>> noise = ImuNoise(reference_velocity=0.0)  # the sensors keep their default noise
     >>> print(f"{np.degrees(noise.angle_random_walk) * 60:.4f}")  # degrees per sqrt(hour)
     0.0050
@@ -103,9 +121,20 @@ class ImuNoise:
     angle_random_walk: float = 0.005 * degree / float(np.sqrt(hour))
     velocity_random_walk: float = 5 * micro * g
     reference_velocity: float = 0.01
+    gyro_bias_instability: float = 0.0
+    gyro_correlation_time: float = 0.0
+    accelerometer_bias_instability: float = 0.0
+    accelerometer_correlation_time: float = 0.0
 
     def __post_init__(self) -> None:
         _check_sizes(self)
+        for sensor in ("gyro", "accelerometer"):
+            size = getattr(self, f"{sensor}_bias_instability")
+            if size and not getattr(self, f"{sensor}_correlation_time"):
+                raise ValueError(
+                    f"{sensor}_correlation_time: expected a time above 0 s for a bias instability "
+                    f"of {size:g}, got 0."
+                )
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from .checks import (
     positive_number,
     row_number,
 )
+from .core.gauss_markov import gauss_markov
 from .higher_order_errors import (
     HigherOrderErrors,
     checked_higher_order_errors,
@@ -109,7 +110,7 @@ def measure(
     imu_errors : ImuErrors
         Errors of the unit. Their leading axes (...) are those of the result.
     noise : ImuNoise, optional
-        None for a unit without noise.
+        None for a unit without noise. A bias instability is held over each interval.
     rng : numpy.random.Generator or int, optional
         Source of the noise; needed for noise only.
     higher_order : HigherOrderErrors, optional
@@ -145,20 +146,20 @@ def measure(
         )
         angle, velocity = angle + more[0], velocity + more[1]
     found = []
-    for true, bias, error, walk in (
-        (angle, errors.gyro_bias, errors.gyro_error_matrix, "angle_random_walk"),
-        (
-            velocity,
-            errors.accelerometer_bias,
-            errors.accelerometer_error_matrix,
-            "velocity_random_walk",
-        ),
+    for sensor, true, walk in (
+        ("gyro", angle, "angle_random_walk"),
+        ("accelerometer", velocity, "velocity_random_walk"),
     ):
+        error = getattr(errors, f"{sensor}_error_matrix")
         measured = true @ np.swapaxes(np.eye(3) + error, -1, -2)
-        measured = measured + (seconds * bias)[..., np.newaxis, :]
+        measured = measured + (seconds * getattr(errors, f"{sensor}_bias"))[..., np.newaxis, :]
         size = 0.0 if noise is None else getattr(noise, walk) * np.sqrt(seconds)
         if size:
             measured += size * checked_generator(source).standard_normal(measured.shape)
+        if noise is not None and (varying := getattr(noise, f"{sensor}_bias_instability")):
+            kept = float(np.exp(-seconds / getattr(noise, f"{sensor}_correlation_time")))
+            draws = checked_generator(source).standard_normal(np.swapaxes(measured, -1, -2).shape)
+            measured += seconds * varying * np.swapaxes(gauss_markov(draws, kept), -1, -2)
         found.append(measured)
     return Increments(seconds, found[0], found[1])
 

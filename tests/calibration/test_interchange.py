@@ -53,7 +53,7 @@ def assert_same(found, expected):
             UNIT,
             DEVIATIONS,
             HIGHER._replace(time_skew=np.array(1 / 3)),
-            ImuNoise(1e-7 / 3, 2e-5 / 3, 0.0),
+            ImuNoise(1e-7 / 3, 2e-5 / 3, 0.0, 1e-9 / 3, 1000 / 3),
             "averaged",
             "RFU",
             "Gerät 7",

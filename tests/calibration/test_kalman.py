@@ -9,6 +9,7 @@ from scipy.linalg import block_diag, solve
 
 from driftlab.calibration.covariance import _condensed_steps
 from driftlab.calibration.error_dynamics import process_noise
+from driftlab.calibration.error_model import FULL
 from driftlab.calibration.kalman import correct, nees, predict
 from driftlab.imu import ImuNoise
 from support import EPS
@@ -235,7 +236,7 @@ def test_condensed_steps_predict_and_correct_as_those_one_after_the_other(lead):
         growth = np.broadcast_to(np.eye(size), (*lead, size, size)).copy()
         growth[..., :6, :] += 0.3 * rng.standard_normal((*lead, 6, size))
         seconds = rng.uniform(0.5, 2.0, lead)
-        steps.append(_condensed_steps(growth, seconds, noise, update=3.0))
+        steps.append(_condensed_steps(FULL, growth, seconds, noise, update=3.0))
         added = np.zeros((*lead, size, size))
         added[..., :6, :6] = process_noise(noise, growth[..., 3:6, :3], seconds)
         error = 3.0 * noise.reference_velocity**2 / seconds[..., np.newaxis, np.newaxis] * np.eye(3)

@@ -68,14 +68,15 @@ class Evidence(NamedTuple):
         up = np.diff(cone, axis=0) / self.window
         off = quaternion.rotate(start, self.force) / size - up
         middle = (self.elapsed[1:] + self.elapsed[:-1]) / 2
+        gyro_bias = prior.gyro_bias**2 + noise.gyro_bias_instability**2
         bent = prior.scale_factor**2 + 2 * prior.installation**2
         variance = (
             _LEAST_ANGLE**2
             + prior.attitude**2
-            + (prior.gyro_bias * middle) ** 2
+            + gyro_bias * middle**2
             + noise.angle_random_walk**2 * middle
             + bent * (1 + self.way * (1 + self.way) / 2)
-            + (prior.accelerometer_bias / size) ** 2
+            + (prior.accelerometer_bias**2 + noise.accelerometer_bias_instability**2) / size**2
             + (noise.velocity_random_walk / size) ** 2 / self.window
             + (2 * sway / (self.window * size)) ** 2
         )
@@ -83,7 +84,7 @@ class Evidence(NamedTuple):
         wrong = quaternion.rotate(start, self.rate) - earth_rate(latitude)
         least = (
             _LEAST_RATE**2
-            + prior.gyro_bias**2
+            + gyro_bias
             + noise.angle_random_walk**2 / self.window
             + EARTH_RATE**2 * (prior.attitude**2 + bent)
         )

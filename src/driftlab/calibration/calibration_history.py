@@ -62,10 +62,10 @@ class Calibration(NamedTuple):
         Since the start, s.
     state : ndarray, shape (..., k, size)
         Estimated sensor errors in the order of ``model.names``, in the model's own body axes: gyro
-        biases in rad/s, accelerometer biases in m/s^2, entries of the matrices without unit (rad
-        off the diagonal), states of `ErrorModel.with_states` in the SI units of
-        `HigherOrderErrors`. Attitude and velocity errors (rad, m/s) are zero here, because they are
-        fed back.
+        biases in rad/s and accelerometer biases in m/s^2, the constant part of each, entries of the
+        matrices without unit (rad off the diagonal), states of `ErrorModel.with_states` in the SI
+        units of `HigherOrderErrors`. Attitude and velocity errors (rad, m/s) are zero here, because
+        they are fed back.
     covariance : ndarray, shape (..., k, size, size)
         Of the estimation errors, as the filter computes it: in the products of the units of two
         states, so (rad/s)^2 for the variance of a gyro bias.

@@ -27,10 +27,12 @@ from driftlab.motion.scheme import DIRECTIONS, Scheme, checked_scheme
 
 from .error_dynamics import (
     LinearizedErrors,
+    _covariance_before,
+    _moving_states,
+    _states_of_model,
     checked_linearized,
     checked_noise,
     linearize_along,
-    process_noise,
 )
 from .error_model import ErrorModel
 
@@ -48,7 +50,7 @@ def covariance_analysis(
     linearized : LinearizedErrors
         The error equations along the scheme.
     noise : ImuNoise
-        Of the sensors and of the reference velocity.
+        Of the sensors and of the reference velocity, with a bias instability as in `calibrate`.
     prior : PriorStandardDeviations
         Standard deviations of the errors before the calibration.
     update : float
@@ -141,14 +143,15 @@ def _covariances(
     checked_noise(noise)
     seconds = positive_number(update, "update")
     checked_instance(prior, PriorStandardDeviations, "prior")
-    start = linearized.model.covariance(prior, linearized.start)
-    rows = linearized.transitions[:, :6]  # the sensor errors are constant
-    added = process_noise(noise, rows[:, 3:, :3], linearized.durations)
-    observed = np.eye(3, linearized.model.size, 3)  # the velocity
+    model = linearized.model
+    start = _covariance_before(model, prior, noise, linearized.start)
+    rows, added = _moving_states(model, noise, linearized.transitions, linearized.durations)
+    observed = np.eye(3, len(start), 3)  # the velocity
     variances = noise.reference_velocity**2 * seconds / linearized.durations
     spreads = variances[:, np.newaxis, np.newaxis] * np.eye(3)
     found, variances = loops.covariances(start, rows, added, observed, spreads)
-    return found, np.vstack([start.diagonal(), variances])
+    own = _states_of_model(model, noise)
+    return found[np.ix_(own, own)], np.vstack([start.diagonal(), variances])[:, own]
 
 
 IntArray = NDArray[np.int_]
@@ -275,35 +278,37 @@ class _TableMoves:
 
 
 class _Condensed(NamedTuple):
-    """Steps, condensed; only attitude and velocity change and gain noise."""
+    """Steps, condensed; only the first k states change and gain noise, see `_moving_states`."""
 
-    carried: FloatArray  # (..., 6, n): rows of Phi for attitude and velocity
+    carried: FloatArray  # (..., k, n): rows of Phi for these
     information: FloatArray  # (..., n, n): J
-    added: FloatArray  # (..., 6, 6): M
+    added: FloatArray  # (..., k, k): M
 
     def after(self, covariance: FloatArray) -> FloatArray:
         """Covariances (..., n, n) after the steps, from those before them."""
-        size = covariance.shape[-1]
+        moving, size = self.carried.shape[-2:]
         left = np.linalg.solve(np.eye(size) + covariance @ self.information, covariance)
         rows = self.carried @ left
         found = np.array(left, np.float64)
-        found[..., :6, :] = rows
-        found[..., :, :6] = np.swapaxes(rows, -1, -2)
-        found[..., :6, :6] = rows @ np.swapaxes(self.carried, -1, -2) + self.added
+        found[..., :moving, :] = rows
+        found[..., :, :moving] = np.swapaxes(rows, -1, -2)
+        found[..., :moving, :moving] = rows @ np.swapaxes(self.carried, -1, -2) + self.added
         found += np.swapaxes(found, -1, -2)
         found *= 0.5
         return found
 
     def then(self, later: _Condensed) -> _Condensed:
         """These steps and later ones as one."""
-        six = slice(0, 6)
+        count = self.carried.shape[-2]
+        moving = slice(count)
         # What these steps add is looked at by the later ones.
-        inner = np.eye(6) + self.added @ later.information[..., six, six]
+        inner = np.eye(count) + self.added @ later.information[..., moving, moving]
         known = np.linalg.solve(inner, self.added)
-        columns = later.information[..., six]
+        columns = later.information[..., moving]
         information = later.information - columns @ known @ np.swapaxes(columns, -1, -2)
-        shrunk = later.carried - later.carried[..., six] @ known @ np.swapaxes(columns, -1, -2)
-        added = later.carried[..., six] @ known @ np.swapaxes(later.carried[..., six], -1, -2)
+        shrunk = later.carried - later.carried[..., moving] @ known @ np.swapaxes(columns, -1, -2)
+        first = later.carried[..., moving]
+        added = first @ known @ np.swapaxes(first, -1, -2)
         back = _through(np.swapaxes(information, -1, -2), self.carried)
         return _Condensed(
             _through(shrunk, self.carried),
@@ -322,30 +327,31 @@ class _Condensed(NamedTuple):
 
 def _through(matrix: FloatArray, carried: FloatArray) -> FloatArray:
     """The product of a matrix (..., m, n) and Phi."""
-    found = matrix[..., :6] @ carried
-    found[..., 6:] += matrix[..., 6:]
+    moving = carried.shape[-2]
+    found = matrix[..., :moving] @ carried
+    found[..., moving:] += matrix[..., moving:]
     return found
 
 
 def _condensed_steps(
-    transitions: FloatArray, durations: FloatArray, noise: ImuNoise, update: float = 1.0
+    model: ErrorModel,
+    transitions: FloatArray,
+    durations: FloatArray,
+    noise: ImuNoise,
+    update: float = 1.0,
 ) -> _Condensed:
     """Return steps (...) in which errors grow, noise is added and the velocity is measured.
 
     The velocity is measured every `update` seconds; the measurements of a step of the given
     duration, s, count as one at its end.
     """
-    size = transitions.shape[-1]
-    carried = transitions[..., :6, :]
-    growth = _Condensed(
-        carried,
-        np.zeros_like(transitions),
-        process_noise(noise, carried[..., 3:, :3], durations),
-    )
+    carried, added = _moving_states(model, noise, transitions, durations)
+    moving, size = carried.shape[-2:]
     look = np.zeros((*durations.shape, size, size))
+    growth = _Condensed(carried, np.zeros_like(look), added)
     weight = durations / (noise.reference_velocity**2 * update)
     look[..., [3, 4, 5], [3, 4, 5]] = weight[..., np.newaxis]
-    unit = np.broadcast_to(np.eye(6, size), carried.shape)
+    unit = np.broadcast_to(np.eye(moving, size), carried.shape)
     return growth.then(_Condensed(unit, look, np.zeros_like(growth.added)))
 
 
@@ -387,6 +393,7 @@ class _RowCovariances:
     def covariances(self, starts: IntArray, rows: IntArray) -> FloatArray:
         """Covariances (b, size, size) at the end of rows (b, k), as `covariance_analysis` has."""
         found = np.empty((len(rows), self.model.size, self.model.size))
+        own = _states_of_model(self.model, self.noise)
         orientation, quarters = (
             self.moves.orientations(starts, rows),
             self.moves.quarters[rows].sum(axis=1),
@@ -398,13 +405,14 @@ class _RowCovariances:
             covariance = _chosen(pause, begin).after(self._before[begin])
             for place, turn in zip(orientation[these].T, rows[these].T, strict=False):
                 covariance = _chosen(pieces, (place, turn)).after(covariance)
-            found[these] = covariance
+            found[these] = covariance[:, own[:, np.newaxis], own]
         return found
 
     @cached_property
     def _before(self) -> FloatArray:
         attitudes = [Scheme("", names).start_attitude for names in STARTS]
-        return np.array([self.model.covariance(self.prior, attitude) for attitude in attitudes])
+        settings = self.model, self.prior, self.noise
+        return np.array([_covariance_before(*settings, attitude) for attitude in attitudes])
 
     @cached_property
     def _kept(self) -> dict[float, tuple[_Condensed, _Condensed]]:
@@ -419,7 +427,9 @@ class _RowCovariances:
             ]
             step = np.stack([way.transitions[0] for way in ways])
             times = np.full(len(STARTS), ways[0].durations[0])
-            pause = _condensed_steps(step, times, self.noise).times(len(ways[0].durations))
+            pause = _condensed_steps(self.model, step, times, self.noise).times(
+                len(ways[0].durations)
+            )
             self._kept[dwell] = pause, self._turns.then(_chosen(pause, self.moves.next))
         return self._kept[dwell]
 
@@ -436,7 +446,7 @@ class _RowCovariances:
         for steps in row:
             matrices = np.stack([way.transitions[steps] for way in ways])
             lengths = np.tile(ways[0].durations[steps], (len(STARTS), 1))
-            each = _condensed_steps(matrices, lengths, self.noise)
+            each = _condensed_steps(self.model, matrices, lengths, self.noise)
             parts = (_chosen(each, np.s_[:, i]) for i in range(lengths.shape[1]))
             turns.append(reduce(_Condensed.then, parts))
         return _Condensed(*(np.stack(arrays, axis=1) for arrays in zip(*turns, strict=True)))

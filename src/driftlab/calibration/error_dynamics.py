@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from driftlab.checks import (
     FloatArray,
@@ -22,7 +22,7 @@ from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.earth import checked_latitude, curvature_radii, earth_rate, gravity
 from driftlab.higher_order_errors import TERMS
-from driftlab.imu import ImuNoise
+from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.increments import Increments
 from driftlab.motion.scheme import Scheme, checked_scheme
 from driftlab.motion.turntable import Segment, segments
@@ -288,6 +288,62 @@ def process_noise(noise: ImuNoise, force: FloatArray, duration: FloatArray) -> F
     own = noise.velocity_random_walk**2 * seconds * _UNIT[:3, :3]
     covariance[..., 3:6, 3:6] = own + tilt / 3 * force @ transposed
     return covariance
+
+
+def _instabilities(noise: ImuNoise) -> tuple[FloatArray, FloatArray]:
+    """Standard deviations (m,) of the bias instabilities, and their correlation times (m,), s.
+
+    m is six, gyros first, or zero if all biases are constant.
+    """
+    sizes = np.repeat([noise.gyro_bias_instability, noise.accelerometer_bias_instability], 3)
+    times = np.repeat([noise.gyro_correlation_time, noise.accelerometer_correlation_time], 3)
+    moving = 6 if sizes.any() else 0
+    return sizes[:moving], np.where(times > 0, times, np.inf)[:moving]
+
+
+def _states_of_model(model: ErrorModel, noise: ImuNoise) -> NDArray[np.int_]:
+    """Places (size,) of a model's states among all; bias instabilities are those from 6 to 11."""
+    count = len(_instabilities(noise)[0])
+    return np.r_[:6, 6 + count : model.size + count]
+
+
+def _covariance_before(
+    model: ErrorModel, prior: PriorStandardDeviations, noise: ImuNoise, attitude: FloatArray
+) -> FloatArray:
+    """Covariance of all states before a calibration, the bias instabilities among them."""
+    sizes, _ = _instabilities(noise)
+    own = _states_of_model(model, noise)
+    found = np.diag(np.pad(sizes**2, (6, model.size - 6)))
+    found[np.ix_(own, own)] = model.covariance(prior, attitude)
+    return found
+
+
+def _moving_states(
+    model: ErrorModel, noise: ImuNoise, transition: FloatArray, duration: ArrayLike
+) -> tuple[FloatArray, FloatArray]:
+    """First k rows (..., k, size) of the transition of all states, and the noise (..., k, k) added.
+
+    Attitude and velocity move, and after them, if there are any, six Gauss-Markov processes. Such a
+    process is a bias that is held over an interval; it has its stationary variance at all times,
+    and from one interval to the next the correlation exp(-duration/correlation time). The other
+    states are constant. `transition` (..., size of the model, same) has the model's alone.
+    """
+    seconds = np.asarray(duration)
+    rows = transition[..., :6, :]
+    added = process_noise(noise, rows[..., 3:, :3], seconds)
+    sizes, times = _instabilities(noise)
+    if not sizes.size:
+        return rows, added
+    accelerometer = 9 + len(model.gyro_basis)
+    biases = rows[..., np.r_[6:9, accelerometer : accelerometer + 3]]
+    acting = np.concatenate([biases, np.broadcast_to(_UNIT, biases.shape)], axis=-2)
+    kept = np.exp(-seconds[..., np.newaxis, np.newaxis] / times)
+    every = np.zeros((*rows.shape[:-2], 12, rows.shape[-1] + 6))
+    every[..., :6, _states_of_model(model, noise)] = rows
+    every[..., 6:12] = kept * acting
+    noises = (sizes**2 * (1 - kept**2) * acting) @ np.swapaxes(acting, -1, -2)
+    noises[..., :6, :6] += added
+    return every, noises
 
 
 _STEP = 10.0  # s: longest step of a pause; rotations are divided into shorter ones

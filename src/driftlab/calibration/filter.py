@@ -39,10 +39,12 @@ from driftlab.strapdown import ALGORITHM, checked_interval, stationary_state
 from ._filter_inputs import LARGER, FilterInputs, assumed_noise_contradictions
 from .calibration_history import Calibration, InconsistentCalibrationWarning, checked_about
 from .error_dynamics import (
+    _covariance_before,
+    _moving_states,
+    _states_of_model,
     checked_model,
     checked_noise,
     free_transition,
-    process_noise,
     transition_of_increments,
 )
 from .error_model import ErrorModel
@@ -102,7 +104,9 @@ def calibrate(
     prior : PriorStandardDeviations
         Standard deviations of the errors before the calibration, as the filter assumes them.
     noise : ImuNoise
-        Noise of the sensors and of the reference velocity, as the filter assumes it. A table that
+        Noise of the sensors and of the reference velocity, as the filter assumes it. With a bias
+        instability, six Gauss-Markov processes are estimated in addition to the states of `model`
+        and not reported: the biases found are the constant (turn-on) ones. A table that
         stands moves by micrometres a second: with the usual 0.01 m/s the stated deviations come out
         too large, see `innovation_test`.
     reference_times : array_like, shape (updates,), optional
@@ -168,6 +172,12 @@ def calibrate(
     with the Earth's rate :math:`\Omega`, the turn F of the local axes by a velocity, the attitude C
     and white noise n. Measured is the velocity: computed less reference it is :math:`\delta v` and
     white noise.
+
+    One state cannot be both a constant of unknown size and a process that returns to zero, so what
+    varies of a bias has a state of its own: a first-order Gauss-Markov process, from one update to
+    the next :math:`m' = e^{-t/T} m + w`, with noise w of variance :math:`s^2 (1 - e^{-2t/T})`. It
+    is held over an update, which must be short compared with the correlation time T. A filter of
+    constants states standard deviations that are too small, and its innovations may not show it.
 
     The first pass feeds its estimates back at once; what it learnt while they were far off it has
     learnt with the wrong derivatives. A pass about a result navigates with that from the
@@ -284,22 +294,24 @@ def _filtered(
     lengths = np.diff(ends, prepend=0)
     free = {each: free_transition(place, each * interval) for each in set(lengths.tolist())}
     # The estimate: errors that are navigated with, and the mean of what is left of them.
-    state = mean = np.zeros((*lead, model.size))
+    state = np.zeros((*lead, model.size))
     believed = np.broadcast_to(attitude, (*lead, 4))
     # The starts of all runs are nearly one attitude; any of them gives the states' correlations.
-    before = model.covariance(prior, attitude.reshape(-1, 4)[0])
-    covariance = np.broadcast_to(before, (*lead, model.size, model.size))
+    before = _covariance_before(model, prior, noise, attitude.reshape(-1, 4)[0])
+    covariance = np.broadcast_to(before, (*lead, *before.shape))
+    # Bias instabilities are not fed back: they stay in the mean.
+    own, mean = _states_of_model(model, noise), np.zeros((*lead, len(before)))
     if linearization_point is not None:
         state, start_found = linearization_point._linearization_point(
             measured.part(0, ends[-1]), place
         )
-        mean = -state
+        mean[..., own] = -state
         back = quaternion.multiply(believed, quaternion.conjugate(start_found))
         mean[..., :3] = quaternion.to_rotation_vector(back)
         believed = start_found
     changes = _rate_changes(measured.interval, measured.angle) if model.higher_order else None
     # Wu (51), (52): of all states the velocity error is seen, with noise.
-    observed, spread = np.eye(3, model.size, 3), noise.reference_velocity**2 * np.eye(3)
+    observed, spread = np.eye(3, len(before), 3), noise.reference_velocity**2 * np.eye(3)
     now = home = stationary_state(place, believed)
     nis_history, seen, history = [], [], []
     for k, (end, each) in enumerate(zip(ends.tolist(), lengths.tolist(), strict=True)):
@@ -311,14 +323,15 @@ def _filtered(
         attitudes = np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
         growth = transition_of_increments(model, free[each], attitudes, true, change)
         arrived = final_state(way)
-        mean = (growth @ mean[..., np.newaxis])[..., 0]
-        added = process_noise(noise, growth[..., 3:6, :3], np.asarray(each * interval))
-        covariance = kalman.predict(covariance, growth[..., :6, :], added)
+        rows, added = _moving_states(model, noise, growth, each * interval)
+        moving = rows.shape[-2]
+        mean[..., :moving] = (rows @ mean[..., np.newaxis])[..., 0]
+        covariance = kalman.predict(covariance, rows, added)
         innovation = arrived.velocity - reference[..., k, :] - mean[..., 3:6]
         seen.append((innovation, covariance[..., 3:6, 3:6]))
         correction, covariance, nis = kalman.correct(covariance, innovation, observed, spread)
         mean = mean + correction
-        found = state + mean
+        found = state + mean[..., own]
         found[..., :6] = 0.0
         back = quaternion.from_rotation_vector(mean[..., :3])
         corrected = arrived._replace(
@@ -326,11 +339,13 @@ def _filtered(
             attitude=quaternion.multiply(back, arrived.attitude),
         )
         if linearization_point is None:  # fed back
-            state, mean, arrived = found, np.zeros_like(mean), corrected
+            state, arrived = found, corrected
+            mean[..., own] = 0.0
         now = home._replace(velocity=arrived.velocity, attitude=arrived.attitude)
         nis_history.append(nis)
         if k + 1 in kept:
-            history.append((found, covariance, corrected.attitude, corrected.velocity))
+            stated = covariance[..., own[:, np.newaxis], own]
+            history.append((found, stated, corrected.attitude, corrected.velocity))
     states, covariances, attitudes, velocities = (
         np.stack(row, axis=len(lead)) for row in zip(*history, strict=True)
     )

@@ -8,6 +8,7 @@ and radians. Numbers come back to the last digit.
 from __future__ import annotations
 
 import json
+from dataclasses import fields
 from datetime import datetime
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -46,6 +47,10 @@ _UNITS = {
     "angle_random_walk": "rad/sqrt(s)",
     "velocity_random_walk": "(m/s)/sqrt(s)",
     "reference_velocity": "m/s",
+    "gyro_bias_instability": "rad/s",
+    "gyro_correlation_time": "s",
+    "accelerometer_bias_instability": "m/s^2",
+    "accelerometer_correlation_time": "s",
 }
 _TURN_UNITS = {
     "sigma": "1",
@@ -61,7 +66,8 @@ _FORMER = {
     "scale": "scale_factor",
 }
 """Names in texts of version 0.2.0."""
-_NOISE = ("angle_random_walk", "velocity_random_walk", "reference_velocity")
+_NOISE = tuple(field.name for field in fields(ImuNoise))
+_WHITE = _NOISE[:3]  # those that are always written
 
 
 class KeptCalibration(NamedTuple):
@@ -193,8 +199,8 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
     )
     higher = {key: values[key] for key in HigherOrderErrors._fields if key in values}
     noise = {key: finite_number(values[key], key) for key in _NOISE if key in values}
-    if noise and (missing := [key for key in _NOISE if key not in noise]):
-        raise ValueError(f"quantities: expected all of {', '.join(_NOISE)}, got no {missing[0]}.")
+    if noise and (missing := [key for key in _WHITE if key not in noise]):
+        raise ValueError(f"quantities: expected all of {', '.join(_WHITE)}, got no {missing[0]}.")
     kept = KeptCalibration(
         checked_usual_imu_errors(ImuErrors(*(values[key] for key in ImuErrors._fields))),
         checked_imu_errors(ImuErrors(**standard_deviations)) if standard_deviations else None,
@@ -238,7 +244,8 @@ def _document(
                 quantities[key] = (_UNITS[key], value, None)
     noise = noise or kept.noise
     for key in _NOISE if noise else ():
-        quantities[key] = (_UNITS[key], getattr(noise, key), None)
+        if getattr(noise, key) or key in _WHITE:
+            quantities[key] = (_UNITS[key], getattr(noise, key), None)
     return _written(_SCHEMA, head | {"body_axes": kept.body_axes}, _CONVENTION, quantities)
 
 

@@ -120,7 +120,7 @@ class TurntableTrial:
         Distributions of the sensor errors, of the initial attitude and of the noise: those of the
         simulation, and those that the filter assumes.
     assumed_noise : ImuNoise, optional
-        Noise that the filter assumes, if it differs from `noise`.
+        Noise that the filter assumes, if it differs from `noise`: with no bias instability, say.
     sample_interval, update_interval : float
         Of the sensors and of the filter, s. An update takes an even number of samples, and pauses
         and rotations are extended to whole updates. If the table turns by more than 2 or 3 degrees

@@ -65,6 +65,9 @@ _USUAL = {
     "accelerometer_bias": _Usual(
         LARGEST_ACCELEROMETER_BIAS, "m/s^2", "mg were meant, {0:g}e-3 * 9.81"
     ),
+    # 200 deg/h and 10 mg: many times what a phone has.
+    "gyro_bias_instability": _Usual(1e-3, "rad/s", "deg/h were meant, np.radians({0:g}) / 3600"),
+    "accelerometer_bias_instability": _Usual(0.1, "m/s^2", "µg were meant, {0:g}e-6 * 9.81"),
     "scale_factor": _Usual(1.0, "parts of the scale", "ppm were meant, {0:g}e-6"),
     "scale_factor_asymmetry": _Usual(0.1, "parts of the scale", "ppm were meant, {0:g}e-6"),
     "installation": _Usual(1.0, "rad", "arc seconds were meant, np.radians({0:g} / 3600)"),

@@ -23,6 +23,7 @@ from driftlab.checks import (
     shown,
     whole_number,
 )
+from driftlab.core.gauss_markov import gauss_markov
 
 _SHORT = 1e-3
 """Averaging times, in correlation times, below which a series is better than the closed form."""
@@ -91,12 +92,7 @@ class GyroNoise:
         size = (*(whole_number(n, "shape") for n in shape), whole_number(count, "count"))
         source = checked_generator(rng)
         kept = float(np.exp(-self.interval / self.correlation_time))
-        draws = source.standard_normal(size)
-        # The first value has the spread of all; later ones forget it little by little.
-        draws[..., 1:] *= np.sqrt(1 - kept**2)
-        from scipy.signal import lfilter  # takes a third of a second to be loaded
-
-        slow = self.gauss_markov * lfilter([1.0], [1.0, -kept], draws, axis=-1)
+        slow = self.gauss_markov * gauss_markov(source.standard_normal(size), kept)
         noise: FloatArray = slow + self.white * source.standard_normal(size)
         if self.quantisation:
             rounding = source.standard_normal((*size[:-1], size[-1] + 1))
