@@ -32,8 +32,6 @@ def left_out(latitude: float) -> DataTable:
          "accelerometer bias", 15 * micro * g),
         ("temperature, gyros", "0.01 deg/h a kelvin, half a kelvin in the run",
          "gyro bias", 0.005 * degree / hour),
-        ("bias instability of the gyros", "0.003 deg/h, which no longer run averages",
-         "gyro bias", 0.003 * degree / hour),
         ("gravity of the place", "10 mGal beside the ellipsoid's", "accelerometer scale",
          1e-4 / g),
         ("axes of the table not square", "any; the filter is told no angle of the table",
