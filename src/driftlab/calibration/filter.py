@@ -176,8 +176,9 @@ def calibrate(
     One state cannot be both a constant of unknown size and a process that returns to zero, so what
     varies of a bias has a state of its own: a first-order Gauss-Markov process, from one update to
     the next :math:`m' = e^{-t/T} m + w`, with noise w of variance :math:`s^2 (1 - e^{-2t/T})`. It
-    is held over an update, which must be short compared with the correlation time T. A filter of
-    constants states standard deviations that are too small, and its innovations may not show it.
+    is held over an update; if an update is longer than the correlation time T, the filter is too
+    cautious. A filter of constants states standard deviations that are too small, and its
+    innovations may not show it.
 
     The first pass feeds its estimates back at once; what it learnt while they were far off it has
     learnt with the wrong derivatives. A pass about a result navigates with that from the
