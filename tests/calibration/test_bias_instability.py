@@ -184,18 +184,37 @@ def test_a_filter_of_constants_is_too_sure_and_its_innovations_hide_it():
     assert (honest / stated)[:3].max() < 1.1
 
 
+def test_on_a_table_that_stands_the_innovations_tell():
+    still = replace(IN_CHAPTER, reference_velocity=1e-4)
+    constants = replace(TRIAL, noise=still, assumed_noise=ImuNoise(reference_velocity=1e-4))
+    found, told = (
+        trial.run(np.random.default_rng(1), RUNS)
+        for trial in (constants, replace(constants, assumed_noise=None))
+    )
+    assert found.nees[:, -1].mean() / 27 > 20
+    assert np.mean(innovation_test(found.calibration).verdict == "consistent") < 0.1
+    low, high = bounds(27, RUNS)
+    assert low < told.nees[:, -1].mean() / 27 < high
+    stated, honest = (each.calibration.standard_deviations[0, -1, BIASES] for each in (found, told))
+    assert (stated[3:] < 0.3 * MICRO_G).all()
+    assert (honest[3:] > 3.3 * MICRO_G).all()
+    assert (honest[3:] < 4.1 * MICRO_G).all()
+
+
 @pytest.mark.parametrize("scheme", SCHEMES.values(), ids=SCHEMES)
-@pytest.mark.parametrize("time", [300.0, 1000.0])
-def test_a_quarter_of_the_stated_deviation_does_little_harm(scheme, time):
-    trial = replace(TRIAL, scheme=replace(scheme, dwell=TRIAL.scheme.dwell))
+@pytest.mark.parametrize(("time", "velocity"), [(300.0, 1e-2), (1000.0, 1e-4)])
+def test_a_quarter_of_the_stated_deviation_does_little_harm(scheme, time, velocity):
+    white = ImuNoise(reference_velocity=velocity)
+    trial = replace(TRIAL, scheme=replace(scheme, dwell=TRIAL.scheme.dwell), noise=white)
     plain = trial.run(np.random.default_rng(1), RUNS)
     gyro, accelerometer = plain.calibration.standard_deviations[0, -1, BIASES].reshape(2, 3)
-    quarter = ImuNoise(
+    quarter = replace(
+        white,
         gyro_bias_instability=gyro.min() / 4,
         gyro_correlation_time=time,
         accelerometer_bias_instability=accelerometer.min() / 4,
         accelerometer_correlation_time=time,
     )
-    constants = replace(trial, noise=quarter, assumed_noise=ImuNoise())
+    constants = replace(trial, noise=quarter, assumed_noise=white)
     found = constants.run(np.random.default_rng(1), RUNS)
     assert found.nees[:, -1].mean() < 1.1 * plain.nees[:, -1].mean()
