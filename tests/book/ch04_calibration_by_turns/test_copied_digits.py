@@ -2,7 +2,7 @@
 
 import re
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Decimal
-from itertools import product
+from itertools import combinations, product
 
 import mpmath
 import numpy as np
@@ -20,6 +20,8 @@ from driftlab.book.ch04_calibration_by_turns.experiment_numbers import (
     IN_THE_COPY,
     NAMES,
     SIGN_RESTORED,
+    agreement,
+    candidates,
 )
 from driftlab.drift.weighing_designs import weighing_estimate
 from support import EPS, written
@@ -100,6 +102,19 @@ def test_two_slips_of_one_character_make_the_seven_consistent():
         (NAMES.index("sigma3*"), "-1.00e-3"),
         (NAMES.index("sigma4*"), "-0.165e-5"),
     ]
+
+
+def test_one_exchange_of_two_whole_numbers_fits_but_only_by_two_rules():
+    fits = {}
+    for i, j in combinations(range(7), 2):
+        texts = list(IN_THE_COPY)
+        texts[i], texts[j] = texts[j], texts[i]
+        if is_consistent(tuple(texts)):
+            fits[NAMES[i], NAMES[j]] = tuple(texts)
+    assert list(fits) == [("sigma4*", "sigma1**")]
+    (exchanged,) = fits.values()
+    assert not any(is_consistent(exchanged, rule) for rule in (ROUND_DOWN, ROUND_HALF_EVEN))
+    assert max(sum(agreement(one.values, exchanged)) for one in candidates()) == 5
 
 
 def test_if_digits_were_cut_off_the_minus_sign_is_the_only_slip():
