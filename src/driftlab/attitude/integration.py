@@ -87,7 +87,12 @@ def integrate(
         q_{k+1} = q_k \circ \left( \frac{\varphi_k}{|\varphi_k|} \sin\frac{|\varphi_k|}{2},\;
         \cos\frac{|\varphi_k|}{2} \right).
 
-    An algorithm in quaternions or Cayley vectors makes the factor on the right directly.
+    An algorithm in quaternions or Cayley vectors makes the factor on the right directly. The
+    Cayley vectors of `two-step-4` are a series cut off: about a fixed axis a step by f rad turns
+    :math:`f^5/1920` too little, which is 4.5 degrees per hour at 400 degrees per second and 50 Hz.
+    For a body that keeps turning fast, `rotation-vector-2` has the same corrections and no such
+    error.
+
     Functional iteration gives an attitude after every increment. If the last window is not full, it
     is moved back until it is. A stream that is handed over in whole windows gives the same
     attitudes as all at once.

@@ -94,7 +94,8 @@ FIGURES = (
             "cone of "
             f"{np.degrees(experiments.WIDE_BRACKET.half_angle):g}°: with many samples a round the "
             "wider window errs less, below some five it does not; the widest is down to rounding, "
-            "magnified; noise hides what the wider windows gain, and the widest magnifies it."
+            "magnified; noise hides what the wider windows gain, and the widest magnifies it. "
+            "`two-step-4` is reconstructed."
         ),
     ),
     FigureDefinition(
