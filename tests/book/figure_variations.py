@@ -38,7 +38,7 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "06-coning-area": {"samples": 12, "half_angle": 0.7},
     "06-coning-drift": {"algorithms": {"mine": plain, "picard-1": "picard-1"}, "half_angle": 0.1},
     "06-functional-iteration": {"windows": (6,), "runs": 2},
-    "06-last-stages": {"samples_a_round": 12, "motions": 2},
+    "06-last-stages": {"samples_a_round": 12},
     "06-noise-and-band": {"half_angle": 0.03, "seconds": 2.0, "runs": 2},
     "06-short-word": {"motions": ("steady turn",), "steps": 20, "starts": 2},
     "07-equivalent-start": {"scheme": Scheme("+90X +90Y", dwell=2.0), "direction": (1, 1, 0)},

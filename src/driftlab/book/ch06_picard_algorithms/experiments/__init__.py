@@ -36,11 +36,9 @@ from .functional_iteration import (
 )
 from .last_stages import (
     COMPARED_STAGES as COMPARED_STAGES,
-    RANDOM_KINDS as RANDOM_KINDS,
-    RANDOM_MOTIONS as RANDOM_MOTIONS,
     STAGE_LABELS as STAGE_LABELS,
     last_stage_errors as last_stage_errors,
-    random_errors as random_errors,
+    leading_errors as leading_errors,
     stage_drift as stage_drift,
 )
 from .noise_and_band import (

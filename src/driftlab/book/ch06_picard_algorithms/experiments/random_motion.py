@@ -13,26 +13,16 @@ WAVE_RATE = 0.5
 
 
 def random_increments(
-    rng: np.random.Generator,
-    motions: int,
-    count: int,
-    interval: float,
-    turning: float = 0.0,
-    *,
-    frequencies: tuple[float, float] = FREQUENCIES,
-    wave_rate: float = WAVE_RATE,
+    rng: np.random.Generator, motions: int, count: int, interval: float
 ) -> FloatArray:
-    """Integrals (motions, count, 3) of random body rates over equal intervals, rad.
-
-    `turning` is the standard deviation of each component of a constant rate that is added, rad/s.
-    """
+    """Integrals (motions, count, 3) of random body rates over equal intervals, rad."""
     shape = (motions, 1, WAVES, 3)
-    lowest, highest = np.log(frequencies)
+    lowest, highest = np.log(FREQUENCIES)
     frequency = 2 * np.pi * np.exp(rng.uniform(lowest, highest, size=shape))
-    amplitude = wave_rate * rng.standard_normal(shape)
+    amplitude = WAVE_RATE * rng.standard_normal(shape)
     phase = rng.uniform(0, 2 * np.pi, size=shape)
     middle = interval * (np.arange(count) + 0.5)[:, np.newaxis, np.newaxis]
     # Each sine is integrated over the interval around its middle, exactly.
     chord = 2 * np.sin(frequency * interval / 2) / frequency
-    waves = (amplitude * chord * np.sin(frequency * middle + phase)).sum(axis=-2)
-    return waves + interval * turning * rng.standard_normal((motions, 1, 3))
+    increments: FloatArray = (amplitude * chord * np.sin(frequency * middle + phase)).sum(axis=-2)
+    return increments

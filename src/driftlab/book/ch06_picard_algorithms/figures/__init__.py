@@ -58,10 +58,11 @@ FIGURES = (
         lambda table: (
             f"{len(table.stage)} ways from the corrected sum of two increments to a quaternion. "
             f"Drift on a cone that is sampled {table.samples_a_round} times a round; error of one "
-            "step about a fixed axis, where the rotation vector has none but rounding; error at "
-            "the end of random motions about three axes, over that of the rotation vector; and "
-            "operations of a step, a sine counted as one. The stages are reconstructed: the "
-            "paper's own comparison is not in our text of it."
+            "step about a fixed axis, where the rotation vector has none but rounding; the error "
+            "that a steady turn with a vibration across it leaves, tangent over sine and cosine, "
+            "by the first terms; and operations of a step, a sine counted as one. Where the "
+            "vibration makes the error (white), all stages err alike. The stages are "
+            "reconstructed: the paper's own comparison is not in our text of it."
         ),
     ),
     FigureDefinition(
