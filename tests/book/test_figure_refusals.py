@@ -24,6 +24,7 @@ REFUSED = [
     ("03-drift-map", {"error_matrix": NAN}, "^error_matrix: expected finite"),
     ("04-turn-estimates", {"plan": "guess"}, "^plan: expected one of three pair"),
     ("04-turn-estimates", {"repeats": 0}, "^repeats: expected"),
+    ("04-turn-estimates", {"axis_error": -1e-4}, "^axis_error: expected"),
     ("04-turn-estimates", {"senses": "left"}, "^senses: expected one of one, both, got 'left'"),
     ("04-turn-estimates", {"gyro_bias": 1e-6}, "^table: expected a TurntableRotation, .* got None"),
     ("04-turn-bias", {"angle_noise": 0}, "^angle_noise: expected"),

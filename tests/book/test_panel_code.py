@@ -68,7 +68,11 @@ def drift(values: Values) -> np.ndarray:
 def estimates(values: Values) -> list[float]:
     if values["noise"]:
         return []
-    return [1e-3 * float(text) for name, text in turn_calibration(values) if "found" in name]
+    return [
+        1e-3 * float(text)
+        for name, text in turn_calibration(values)
+        if re.match("σ[₁₂₃]: found", name)
+    ]
 
 
 def cayley(values: Values) -> np.ndarray:

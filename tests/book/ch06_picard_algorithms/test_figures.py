@@ -45,7 +45,7 @@ from driftlab.book.ch06_picard_algorithms.experiments import (
     weights_of_polynomial,
     window_noise_growth,
 )
-from driftlab.book.ch06_picard_algorithms.experiments.random_motion import random_increments
+from driftlab.book.ch06_picard_algorithms.experiments.word_length import random_increments
 from driftlab.book.ch06_picard_algorithms.figures.coning_drift import alike
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.motion.profiles import Coning, Sway

@@ -10,7 +10,7 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.machinery.panel.axis import matrix_code
 from driftlab.book.machinery.panel.control import Control
 from driftlab.book.machinery.panel.panel import Explorer, Values
-from driftlab.book.machinery.panel.results import Results
+from driftlab.book.machinery.panel.results import ABSENT, Results
 from driftlab.checks import FloatArray
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment
@@ -26,7 +26,7 @@ ON_EARTH = {"formula": "exact", "earth": "turning"}
 
 
 class TurnCalibrationExplorer(Explorer):
-    """Calibration by whole turns: axes, turns, steps, integrator, noise, Earth and bias."""
+    """Calibration by whole turns: three sigmas by Larin's formula, all nine errors by sums."""
 
     title = "Calibration by turns: estimated against true non-orthogonality"
     picture_class = TurnEstimatesPicture
@@ -46,6 +46,7 @@ class TurnCalibrationExplorer(Explorer):
             "formula", "step formula", "taylor-4", choices=tuple(STEP_FORMULAS), group="experiment"
         ),
         Control("noise", "noise of a turn, ″", 0.0, 0.0, 20.0, 0.5, group="experiment"),
+        Control("axis", "error of an axis, ″", 0.0, 0.0, 120.0, 5.0, group="experiment"),
         Control("earth", "Earth", "none", choices=("none", "turning"), group="table"),
         Control("latitude", "latitude, °", 37.5, -85.0, 85.0, 0.5, group="table"),
         Control("rate", "table rate, °/s", 10.0, 5.0, 100.0, 1.0, group="table"),
@@ -62,6 +63,10 @@ class TurnCalibrationExplorer(Explorer):
         },
         "Noisy gyros": {"noise": 5.0},
         "Coarse steps": {"steps": 12, "formula": "taylor-2"},
+        "Axes known to 60″": {
+            "skew": 1.0, "noise": 5.0, "axis": 60.0,
+            "plan": "six axes, least squares and three scales",
+        },
         "Scale error, three axes": {"scale": 0.2},
         "Scale error, solved for": {
             "scale": 0.2, "plan": "four axes, least squares and common scale"
@@ -75,6 +80,7 @@ class TurnCalibrationExplorer(Explorer):
         "On the Earth, common offset": "Another cure. Add a gyro bias: does it still work?",
         "Noisy gyros": "Twelve calibrations of one triad. How far apart do they lie?",
         "Coarse steps": "Twelve steps in a turn. Is the error still a matter of the gyros?",
+        "Axes known to 60″": "Which of the nine pay for it? Then turn about three axes only.",
         "Scale error, three axes": "The gyros are a little too sensitive. What gets the blame?",
         "Scale error, solved for": "The same gyros, another plan. What has it done with the scale?",
     }
@@ -103,7 +109,7 @@ class TurnCalibrationExplorer(Explorer):
         return turn_estimates(
             self._triad_error(values), values["plan"], self._experiment(values),
             table=self._table(values), senses=values["senses"],
-            gyro_bias=values["bias"] * DEGREE_PER_HOUR,
+            gyro_bias=values["bias"] * DEGREE_PER_HOUR, axis_error=values["axis"] * ARC_SECOND,
         )  # fmt: skip
 
     def numbers(self, table: DataTable) -> Results:
@@ -113,13 +119,25 @@ class TurnCalibrationExplorer(Explorer):
         return Results(
             ("largest error", f"{errors[np.abs(errors).argmax()]:.2f}″"),
             [
-                (name, f"{1e3 * true:.3f}", f"{1e3 * mean:.4f}", f"{error:.2f}")
+                (name, f"{1e3 * true:.3f}", f"{1e3 * mean:.4f}", f"{error:.2f}", ABSENT)
                 for name, true, mean, error in zip(
                     ("σ₁", "σ₂", "σ₃"), table.true, found, errors, strict=True
                 )
+            ]
+            + [
+                (name, f"{true:.3f}", ABSENT, f"{error:.2f}", f"{spread:.2f}")
+                for name, true, error, spread in zip(
+                    table.nine, *map(table.shown, ("nine_true", "nine_error", "nine_spread")),
+                    strict=True,
+                )
             ],
-            ("true, mrad", f"mean of {count}, mrad" if differ else "found, mrad", "error, ″"),
-        )
+            (
+                "true, mrad", f"mean of {count}, mrad" if differ else "found, mrad",
+                "error, ″", "1σ, ″",
+            ),
+            "Below the three sigmas by Larin's formula: all nine numbers from the summed "
+            "increments of both senses, one calibration, with their standard deviations.",
+        )  # fmt: skip
 
     def call(self, values: Values) -> str:
         experiment, table = self._experiment(values), self._table(values)
@@ -127,6 +145,8 @@ class TurnCalibrationExplorer(Explorer):
         if table is not None:
             bias = values["bias"] * DEGREE_PER_HOUR
             given += ["table=table", f"gyro_bias={bias!r}"] if bias else ["table=table"]
+        if values["axis"]:
+            given.append(f"axis_error={values['axis'] * ARC_SECOND!r}")
         if values["senses"] != "one":
             given.append(f"senses={values['senses']!r}")
         return (

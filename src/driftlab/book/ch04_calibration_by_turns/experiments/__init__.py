@@ -3,6 +3,7 @@
 from .calibrations import (
     AS_COPIED as AS_COPIED,
     AS_DERIVED as AS_DERIVED,
+    NINE as NINE,
     PLANS as PLANS,
     SENSES as SENSES,
     error_matrix as error_matrix,

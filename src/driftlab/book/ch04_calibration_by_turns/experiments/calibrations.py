@@ -8,7 +8,8 @@ from numpy.typing import ArrayLike
 
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD
-from driftlab.checks import FloatArray, finite_array, whole_number
+from driftlab.checks import FloatArray, finite_array, nonnegative_number, whole_number
+from driftlab.drift.recorded_turns import fit_error_matrix
 from driftlab.drift.turn_calibration import TurnExperiment, turn_estimate
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing_estimate
 from driftlab.imu import NO_ERRORS, ImuErrors
@@ -23,6 +24,10 @@ AS_COPIED, AS_DERIVED = SUM_FACTORS["1, n4 as in the copy"], SUM_FACTORS["3/2, a
 """What multiplies the fourth turn estimate to give the sum of the sigmas."""
 SENSES = {"one": (1.0,), "both": (1.0, -1.0)}
 """Factors of the table's rate by what the panel calls them."""
+NINE = ("s x", "s y", "s z", "σ xy", "σ xz", "σ yz", "κ x", "κ y", "κ z")
+"""Numbers of an error matrix: scale factors, non-orthogonality, turn of the triad as a whole."""
+LEAST_NOISE = 1e-9
+"""Of a summed angle, rad: the rounding, if there is no other noise."""
 REPEATS = 12
 """Runs of a calibration with noise."""
 NOISY_TURN = TurnExperiment(step_formula="taylor-4", angle_noise=ANGLE_NOISE)
@@ -54,12 +59,15 @@ def turn_estimates(
     table: TurntableRotation | None = None,
     senses: str = "one",
     gyro_bias: float = 0.0,
+    axis_error: float = 0.0,
     repeats: int = REPEATS,
 ) -> DataTable:
     """Calibrate one triad several times (once, if there is no noise).
 
     Without a table the turns are Larin's, in inertial space, and there is no gyro bias. With
-    `senses="both"` the table turns both ways, and the mean is taken.
+    `senses="both"` the table turns both ways, and the mean is taken. The nine numbers are found
+    from both senses in any case. The body turns about axes that err by `axis_error` (rad, one
+    standard deviation in each direction), which the calibration does not know.
     """
     count = whole_number(repeats, "repeats")
     error_matrix = finite_array(error_matrix, "error_matrix", 3, 3)
@@ -72,15 +80,20 @@ def turn_estimates(
             "table: expected a TurntableRotation, whose rate says what a bias does, got None."
         )
     axes, method = PLANS[plan]
-    different = count if experiment.angle_noise else 1
+    uncertain = nonnegative_number(axis_error, "axis_error")
+    different = count if experiment.angle_noise or uncertain else 1
     repeated = np.broadcast_to(axes, (different, *axes.shape))
     rng = np.random.default_rng(seed)
-    if table is None:
+    unit = NO_ERRORS._replace(gyro_error_matrix=error_matrix, gyro_bias=np.full(3, gyro_bias))
+    other = np.random.default_rng(seed + 1)
+    mounted = axes + uncertain * np.cross(axes, other.standard_normal(repeated.shape))
+    where = (repeated, mounted if uncertain else axes)
+    turning = table or TurntableRotation(1.0, experiment.turns)
+    if turning is not table and not uncertain:
         turned = [experiment.estimate(repeated, error_matrix, rng) for _ in SENSES[senses]]
     else:
-        unit = NO_ERRORS._replace(gyro_error_matrix=error_matrix, gyro_bias=np.full(3, gyro_bias))
         turned = [
-            _on_table(replace(table, rate=sense * table.rate), experiment, repeated, unit, rng)
+            _on_table(replace(turning, rate=sense * turning.rate), experiment, where, unit, rng)
             for sense in SENSES[senses]
         ]
     estimates = np.mean(turned, axis=0)
@@ -89,6 +102,19 @@ def turn_estimates(
     every = np.broadcast_to(runs, (count, 3))
     shown = every if np.ptp(every, axis=0).any() else every[:1]  # without noise all runs are one
     names = [f"sigma{i}" for _ in shown for i in (1, 2, 3)]
+    noise = experiment.angle_noise * np.sqrt(experiment.turns)
+    forward, backward = (
+        measure(turn.increments(mounted[0], 8 * turn.turns), unit).angle.sum(axis=-2)
+        + noise * other.standard_normal(axes.shape)
+        for turn in (replace(turning, rate=sense * turning.rate) for sense in SENSES["both"])
+    )
+    fit = fit_error_matrix(
+        forward, backward, axes, turning.turns,
+        angle_noise=max(noise, LEAST_NOISE), axis_error=uncertain,
+    )  # fmt: skip
+    weights = nine_of(np.eye(9).reshape(9, 3, 3)).T
+    spread = np.sqrt(((weights @ fit.covariance) * weights).sum(axis=-1))
+    nine_error = nine_of(fit.error_matrix - error_matrix)
     return DataTable(
         {
             "sigma": (names, "", "which one, run after run"),
@@ -96,6 +122,10 @@ def turn_estimates(
             "error": ((shown - sigma).ravel(), "arcsec", "estimate minus true value"),
             "true": (sigma, "mrad", "true sigma1, sigma2, sigma3"),
             "mean_error": ((shown - sigma).mean(axis=0), "arcsec", "mean of all runs"),
+            "nine": ([*NINE], "", "numbers of the error matrix, from the sums of both senses"),
+            "nine_true": (nine_of(error_matrix), "mrad", "true value of each"),
+            "nine_error": (nine_error, "arcsec", "error of each, one calibration"),
+            "nine_spread": (spread, "arcsec", "standard deviation of each"),
         },
         {
             "runs": (every, "mrad", "estimates by run and sigma"),
@@ -108,18 +138,27 @@ def turn_estimates(
 def _on_table(
     table: TurntableRotation,
     experiment: TurnExperiment,
-    axes: FloatArray,
+    axes_and_true: tuple[FloatArray, FloatArray],
     unit: ImuErrors,
     rng: np.random.Generator,
 ) -> FloatArray:
     """Turn estimates (..., m) about axes (..., m, 3), integrated as in Larin's experiment."""
-    true = table.increments(axes[0], experiment.steps_per_turn * table.turns)
+    axes, mounted = axes_and_true
+    true = table.increments(mounted, experiment.steps_per_turn * table.turns)
     rows = measure(true, unit).angle
     size = experiment.angle_noise / np.sqrt(experiment.steps_per_turn)
     if size:
-        rows = rows + rng.normal(0.0, size, (len(axes), *rows.shape))
+        rows = rows + rng.normal(0.0, size, (len(axes), *rows.shape[-3:]))
     error = experiment.integrate(rows)
     return turn_estimate(error, np.sign(table.rate) * axes, table.turns)
+
+
+def nine_of(matrix: FloatArray) -> FloatArray:
+    """`NINE` (..., 9) of error matrices (..., 3, 3)."""
+    scale = np.diagonal(matrix, axis1=-2, axis2=-1)
+    sigma, skew = (0.5 * (matrix + sign * np.swapaxes(matrix, -2, -1)) for sign in (1, -1))
+    kappa = skew[..., [2, 0, 1], [1, 2, 0]]
+    return np.concatenate([scale, sigma[..., [0, 0, 1], [1, 2, 2]], kappa], axis=-1)
 
 
 def yates_sigma(estimates: ArrayLike, sum_factor: float = AS_DERIVED) -> FloatArray:

@@ -52,8 +52,10 @@ FIGURES = (
         lambda data: (
             f"A bent triad, published for Larin's, calibrated {len(data.runs)} times by turns "
             f"about each of {len(data.axes)} axes, with gyro noise of "
-            f"{3600 * np.degrees(data.angle_noise):.1f} arc seconds a turn. Beside the true values "
-            "the runs can hardly be told apart; their errors can."
+            f"{3600 * np.degrees(data.angle_noise):.1f} arc seconds a turn. On the left the "
+            "three sigmas by formula (3.3). On the right all nine numbers of the error matrix by "
+            "the summed increments of turns in both senses, with their standard deviations: three "
+            "scale factors s, three sigmas, and the turn κ of the triad as a whole."
         ),
     ),
     FigureDefinition(

@@ -1,4 +1,4 @@
-"""One calibration by turns: estimated against true non-orthogonality, with noise repeated."""
+"""Errors of a calibration by turns: of the sigmas, run after run, and of all nine numbers."""
 
 import numpy as np
 
@@ -12,51 +12,50 @@ from driftlab.book.machinery.figure.picture import (
     legend_above,
 )
 
-VALUE_REACHES = (1.5, 3.0, 5.0, 15.0, 50.0, 200.0)
-"""How far the axis of the estimates may reach, mrad."""
+from ..experiments import NINE
 
 
 class TurnEstimatesPicture(Picture):
-    """Estimates over true values, and their errors."""
+    """Errors of the sigmas by Larin's formula, and of all nine numbers by the summed increments."""
 
     size = (9.6, 3.8)
 
     def build(self) -> None:
-        self.figure, panels = self.sheet.mosaic("ab", self.size, (0.075, 0.1, 0.985, 0.9))
-        values, errors = panels["a"], panels["b"]
-        self.values_axes, self.errors_axes = values, errors
-        names = [r"$\sigma_1$", r"$\sigma_2$", r"$\sigma_3$"]
-        values.set(title="found and true, mrad")
-        errors.set(title="error, ″")
-        for axes in (values, errors):
-            axes.set(xlim=(-0.6, 2.6), xticks=[0, 1, 2])
-            axes.set_xticklabels(names)
-            axes.axhline(0, color=BLACK, linewidth=0.8, label=GUIDE)
-        dot = {"color": BLUE, "linestyle": "none", "marker": "o", "fillstyle": "none"}
-        dash = 20 if self.sheet.on_paper else 26
-        self.curve(
-            values, range(3), "true", color=BLACK, linestyle="none", marker="_", markersize=dash,
-            markeredgewidth=2, label="true",
-        )  # fmt: skip
-        self.runs = [
-            self.curve(values, (), "found", **dot, label="found, each run"),
-            self.curve(errors, (), "error", **dot, label="each run"),
-        ]
-        mean = {"color": VERMILION, "linestyle": "none", "marker": "D", "fillstyle": "none"}
-        size = 6 if self.sheet.on_paper else 10
-        self.curve(
-            errors, range(3), "mean_error", **mean, markersize=size, label="mean of all runs"
+        self.figure, panels = self.sheet.mosaic(
+            "ab", self.size, (0.065, 0.12, 0.99, 0.9), width_ratios=(1, 1.6)
         )
-        room = {"below": 17.0, "handlelength": 2.8} if self.sheet.on_paper else {}
-        for axes in (values, errors):
+        sigmas, nine = panels.values()
+        self.sigmas_axes, self.nine_axes = sigmas, nine
+        sigmas.set(title="(3.3): error, ″", xlim=(-0.6, 2.6), xticks=range(3))
+        sigmas.set_xticklabels([r"$\sigma_1$", r"$\sigma_2$", r"$\sigma_3$"])
+        nine.set(title="all nine: error, ″", xlim=(-0.6, 8.6), xticks=range(9))
+        nine.set_xticklabels([name.replace(" ", "\n") for name in NINE])
+        for axes in (sigmas, nine):
+            axes.axhline(0, color=BLACK, linewidth=0.8, label=GUIDE)
+        paper = self.sheet.on_paper
+        dot = {"color": BLUE, "linestyle": "none", "marker": "o", "fillstyle": "none"}
+        mean = {"color": VERMILION, "linestyle": "none", "marker": "D", "fillstyle": "none"}
+        edge = {
+            "color": BLACK,
+            "linestyle": "none",
+            "marker": "_",
+            "markersize": 20 if paper else 26,
+        }
+        self.runs = self.curve(sigmas, (), "error", **dot, label="each run")
+        self.curve(sigmas, range(3), "mean_error", **mean, markersize=6 if paper else 10,
+                   label="mean")  # fmt: skip
+        self.curve(nine, range(9), "nine_error", **dot, label="one run")
+        self.curve(nine, range(9), "nine_spread", **edge, label="± one standard deviation")
+        self.curve(nine, range(9), "-nine_spread", **edge, label="_the same below")
+        room = {"below": 17.0, "handlelength": 2.8} if paper else {}
+        for axes in (sigmas, nine):
             legend_above(axes, 2, **room)
 
     def update(self, table: DataTable) -> None:
         self.show(table)
         count = len(table.found) // 3
         spread = np.linspace(-0.25, 0.25, count) if count > 1 else np.zeros(1)
-        for line in self.runs:
-            line.set_xdata((np.arange(3) + spread[:, np.newaxis]).ravel())
-        values = np.append(table.shown("true"), table.shown("found"))
-        self.set_reach(self.values_axes, "y", values, VALUE_REACHES)
-        self.set_reach(self.errors_axes, "y", 1.1 * table.shown("error"))
+        self.runs.set_xdata((np.arange(3) + spread[:, np.newaxis]).ravel())
+        self.set_reach(self.sigmas_axes, "y", 1.1 * table.shown("error"))
+        nine = np.append(table.shown("nine_error"), table.shown("nine_spread"))
+        self.set_reach(self.nine_axes, "y", 1.1 * nine)

@@ -18,10 +18,15 @@ from driftlab.quaternion import conjugate, multiply, rotation_angle
 
 from .algorithms import SHIP
 from .coning import BRACKET
-from .random_motion import WAVE_RATE, WAVES, random_increments
 
 EARTH_RATE = 2 * np.pi / (day * 365.2422 / 366.2422)
 """Rate of the Earth against the stars, rad/s: one turn more in a year than there are days."""
+WAVES = 6
+"""Sines in each component of the rate."""
+FREQUENCIES = (0.1, 1.0)
+"""Lowest and highest of these sines, Hz."""
+WAVE_RATE = 0.5
+"""Standard deviation of the amplitude of one sine, rad/s."""
 AXIS = np.array([0.6, 0.0, 0.8])
 """Of the steady turn, in the body."""
 WORD_MOTIONS: dict[str, Motion | None] = {
@@ -138,6 +143,22 @@ def short_word_errors(
             "starts": (many, "", "attitudes at the start"),
         },
     )
+
+
+def random_increments(
+    rng: np.random.Generator, motions: int, count: int, interval: float
+) -> FloatArray:
+    """Integrals (motions, count, 3) of random body rates over equal intervals, rad."""
+    shape = (motions, 1, WAVES, 3)
+    lowest, highest = np.log(FREQUENCIES)
+    frequency = 2 * np.pi * np.exp(rng.uniform(lowest, highest, size=shape))
+    amplitude = WAVE_RATE * rng.standard_normal(shape)
+    phase = rng.uniform(0, 2 * np.pi, size=shape)
+    middle = interval * (np.arange(count) + 0.5)[:, np.newaxis, np.newaxis]
+    # Each sine is integrated over the interval around its middle, exactly.
+    chord = 2 * np.sin(frequency * interval / 2) / frequency
+    increments: FloatArray = (amplitude * chord * np.sin(frequency * middle + phase)).sum(axis=-2)
+    return increments
 
 
 def _increments(name: str, step_angle: float, steps: int, starts: int, seed: int) -> FloatArray:
