@@ -1,5 +1,7 @@
 """Drift over closed motions: against quadrature, SciPy's rotations, whole turns, and by order."""
 
+import itertools
+
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
@@ -201,3 +203,28 @@ def test_tolerance_is_the_callers():
 def test_flat_triad_is_refused():
     with pytest.raises(ValueError, match=r"^error_matrix: expected three sensitive axes"):
         exact_drift_per_cycle(TUMBLE, np.diag([0.0, 0.0, -1.0]))
+
+
+def test_the_area_law_is_off_by_no_more_than_its_bound():
+    rng, phases = np.random.default_rng(6), np.linspace(0, 2 * np.pi, 2001)[:, np.newaxis]
+    for size, m in itertools.product(np.geomspace(0.01, 2, 12), (1e-5, 1e-3, 0.1)):
+        sines, cosines = size * rng.normal(size=(2, 3, 3)) / np.arange(1, 4)[:, np.newaxis]
+        theta = sum(
+            sines[k - 1] * np.sin(k * phases) + cosines[k - 1] * (np.cos(k * phases) - 1)
+            for k in (1, 2, 3)
+        )
+        attitude = Rotation.from_rotvec(theta)
+        motion = (attitude[:-1].inv() * attitude[1:]).as_rotvec()
+        matrix = rng.normal(size=(3, 3))
+        matrix *= m / np.linalg.norm(matrix, 2)
+        pieces, middle = np.diff(theta, axis=0), (theta[1:] + theta[:-1]) / 2
+        area = np.cross(middle, pieces).sum(axis=0) / 2
+        law = (np.trace(matrix) * np.eye(3) - matrix - matrix.T) @ area
+        lengths = np.linalg.norm(pieces, axis=1)
+        s = np.linalg.norm(matrix + matrix.T, 2) / 2
+        first = 7 / 6 * s * ((middle**2).sum(axis=1) * lengths).sum()
+        # Some roundings of 2000 increments; the chords of the curve are 1e-6 shorter than it.
+        assert np.linalg.norm(drift_per_cycle(motion, matrix) - law) < first + 1e-13 * size
+        error = Rotation.from_rotvec(exact_drift_per_cycle(motion, matrix)).as_matrix()
+        off = np.linalg.norm(error - np.eye(3) - cross_matrix(law), 2)
+        assert off < first + (m * lengths.sum()) ** 2 / 2 + 1e-12
