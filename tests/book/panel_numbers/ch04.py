@@ -16,8 +16,6 @@ def one_sense(values: Values, experiment, axes, true, triad, sense, rng):
 
     In closed form: seen from the body the level part of the Earth's rate goes round backwards.
     """
-    if values["earth"] == "none" and not values["bias"] and not values["axis"]:
-        return experiment.estimate(axes, triad, rng)
     rate, k = sense * np.radians(values["rate"]), values["turns"]
     latitude = np.radians(values["latitude"]) if values["earth"] == "turning" else None
     count = k * values["steps"]

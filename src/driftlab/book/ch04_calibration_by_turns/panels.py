@@ -97,12 +97,9 @@ class TurnCalibrationExplorer(Explorer):
         )
 
     @staticmethod
-    def _table(values: Values) -> TurntableRotation | None:
-        """The real table, if there is anything that a turn in inertial space does not show."""
-        earth = values["earth"] == "turning"
-        if not (earth or values["bias"]):
-            return None
-        latitude = float(np.radians(values["latitude"])) if earth else None
+    def _table(values: Values) -> TurntableRotation:
+        turning = values["earth"] == "turning"
+        latitude = float(np.radians(values["latitude"])) if turning else None
         return TurntableRotation(float(np.radians(values["rate"])), values["turns"], latitude)
 
     def compute(self, values: Values) -> DataTable:
@@ -141,10 +138,9 @@ class TurnCalibrationExplorer(Explorer):
 
     def call(self, values: Values) -> str:
         experiment, table = self._experiment(values), self._table(values)
-        given = ["error_matrix", repr(values["plan"]), "experiment"]
-        if table is not None:
-            bias = values["bias"] * DEGREE_PER_HOUR
-            given += ["table=table", f"gyro_bias={bias!r}"] if bias else ["table=table"]
+        given = ["error_matrix", repr(values["plan"]), "experiment", "table=table"]
+        if values["bias"]:
+            given.append(f"gyro_bias={values['bias'] * DEGREE_PER_HOUR!r}")
         if values["axis"]:
             given.append(f"axis_error={values['axis'] * ARC_SECOND!r}")
         if values["senses"] != "one":
@@ -153,11 +149,11 @@ class TurnCalibrationExplorer(Explorer):
             "import numpy as np\n"
             "from driftlab.book.ch04_calibration_by_turns.experiments import turn_estimates\n"
             "from driftlab.drift import TurnExperiment\n"
-            + ("from driftlab.motion import TurntableRotation\n" if table else "")
-            + f"error_matrix = {matrix_code(self._triad_error(values))}\n"
+            "from driftlab.motion import TurntableRotation\n"
+            f"error_matrix = {matrix_code(self._triad_error(values))}\n"
             f"experiment = {experiment}\n"
-            + (f"table = {table}\n" if table else "")
-            + f"turn_estimates({', '.join(given)}).runs"
+            f"table = {table}\n"
+            f"turn_estimates({', '.join(given)}).runs"
         )
 
 

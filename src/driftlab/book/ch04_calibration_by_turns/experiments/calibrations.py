@@ -26,8 +26,6 @@ SENSES = {"one": (1.0,), "both": (1.0, -1.0)}
 """Factors of the table's rate by what the panel calls them."""
 NINE = ("s x", "s y", "s z", "σ xy", "σ xz", "σ yz", "κ x", "κ y", "κ z")
 """Numbers of an error matrix: scale factors, non-orthogonality, turn of the triad as a whole."""
-LEAST_NOISE = 1e-9
-"""Of a summed angle, rad: the rounding, if there is no other noise."""
 REPEATS = 12
 """Runs of a calibration with noise."""
 NOISY_TURN = TurnExperiment(step_formula="taylor-4", angle_noise=ANGLE_NOISE)
@@ -89,13 +87,10 @@ def turn_estimates(
     mounted = axes + uncertain * np.cross(axes, other.standard_normal(repeated.shape))
     where = (repeated, mounted if uncertain else axes)
     turning = table or TurntableRotation(1.0, experiment.turns)
-    if turning is not table and not uncertain:
-        turned = [experiment.estimate(repeated, error_matrix, rng) for _ in SENSES[senses]]
-    else:
-        turned = [
-            _on_table(replace(turning, rate=sense * turning.rate), experiment, where, unit, rng)
-            for sense in SENSES[senses]
-        ]
+    turned = [
+        _on_table(replace(turning, rate=sense * turning.rate), experiment, where, unit, rng)
+        for sense in SENSES[senses]
+    ]
     estimates = np.mean(turned, axis=0)
     runs = yates_sigma(estimates) if method == "yates" else fit_turns(estimates, axes, method).sigma
     sigma = non_orthogonality(error_matrix)[..., [0, 0, 1], [1, 2, 2]]
@@ -110,7 +105,7 @@ def turn_estimates(
     )
     fit = fit_error_matrix(
         forward, backward, axes, turning.turns,
-        angle_noise=max(noise, LEAST_NOISE), axis_error=uncertain,
+        angle_noise=max(noise, 1e-9), axis_error=uncertain,  # no less than rounding
     )  # fmt: skip
     weights = nine_of(np.eye(9).reshape(9, 3, 3)).T
     spread = np.sqrt(((weights @ fit.covariance) * weights).sum(axis=-1))

@@ -34,8 +34,6 @@ TURNS: FloatArray = np.linspace(-2.5, 2.5, 61)
 """Of a body in one cycle of a vibration in a circle across the axis about which it turns."""
 AMPLITUDES: FloatArray = np.geomspace(0.02, 5.0, 45)
 """Of the vibration, rad."""
-LARGEST_GAIN = 2.0
-"""Size at which the map stops, as a power of two."""
 
 
 def last_stage_errors(samples_a_round: int = SAMPLES_A_ROUND) -> DataTable:
@@ -52,7 +50,7 @@ def last_stage_errors(samples_a_round: int = SAMPLES_A_ROUND) -> DataTable:
     shown = np.where(error > 1e-12, error, np.nan)  # what is smaller is rounding
     turns, amplitudes = (each.ravel() for each in np.meshgrid(TURNS, AMPLITUDES))
     shared, added = leading_errors(turns, amplitudes)
-    gain = np.clip(np.log2(np.abs(1 + added / shared)), -LARGEST_GAIN, LARGEST_GAIN)
+    gain = np.clip(np.log2(np.abs(1 + added / shared)), -2, 2)  # the map ends at 4 times
     return DataTable(
         {
             "half_angle": (HALF_ANGLES, "deg", "of the cones"),
