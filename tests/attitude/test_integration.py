@@ -361,14 +361,6 @@ def test_rotation_vector_is_exact_about_a_fixed_axis(name):
         assert errors(FixedAxis(1, 0.5), name, 2.3, count).max() < 4 * count**0.5 * EPS
 
 
-def test_the_default_loses_what_its_docstring_says_in_a_fast_steady_turn():
-    increments = np.tile([0.0, 0.0, np.radians(8)], (44, 1))  # 400 degrees per second, 50 Hz
-    for name, lost in (("two-step-4", 4.5), ("rotation-vector-2", 0.0)):
-        found = integrate(increments, name)[-1]
-        short = np.radians(352) - 2 * np.arctan2(found[2], found[3])
-        assert np.degrees(short) / (44 / 50 / 3600) == pytest.approx(lost, abs=0.05)
-
-
 @with_cayley
 def test_order_about_a_fixed_axis(name):
     """No coning: all that is left is the cut-off tangent, of order 2 or 4."""

@@ -91,3 +91,11 @@ def test_angles_that_are_none_are_refused(run, example_log):
 def test_a_rest_is_a_part_of_the_log(still):
     with pytest.raises(ValueError, match=r"^--still: expected a part of the log's 1 s, got "):
         flown(Recording(np.ones((10, 3)), None, 0.1, "rates"), "two-step-4", still=still)
+
+
+def test_two_step_4_loses_in_a_fast_steady_turn_what_the_help_says():
+    increments = np.tile([0.0, 0.0, np.radians(8)], (44, 1))  # 400 degrees per second, 50 Hz
+    for name, lost in (("two-step-4", 4.5), ("rotation-vector-2", 0.0)):
+        *_, sine, cosine = integrate(increments, name)[-1]
+        short = 352 - np.degrees(2 * np.arctan2(sine, cosine))
+        assert short / (44 / 50 / 3600) == pytest.approx(lost, abs=0.05)
