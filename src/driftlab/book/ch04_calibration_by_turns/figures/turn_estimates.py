@@ -47,9 +47,9 @@ class TurnEstimatesPicture(Picture):
         self.curve(nine, range(9), "nine_error", **dot, label="one run")
         self.curve(nine, range(9), "nine_spread", **edge, label="± one standard deviation")
         self.curve(nine, range(9), "-nine_spread", **edge, label="_the same below")
-        room = {"below": 17.0, "handlelength": 2.8} if paper else {}
+        room = {"below": 17.0} if paper else {}
         for axes in (sigmas, nine):
-            legend_above(axes, 2, **room)
+            legend_above(axes, 2, handlelength=2.8, **room)
 
     def update(self, table: DataTable) -> None:
         self.show(table)
