@@ -6,6 +6,7 @@ from hypothesis import given, strategies as st
 from scipy.constants import arcsecond
 
 from driftlab.attitude.drift_on_cones import coning_drift
+from driftlab.book.ch08_system_calibration.experiments import TWELVE_TURNS, on_reference_velocity
 from driftlab.book.ch11_one_triad import experiments as capstone
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.book.scenarios import TURN, ship_manoeuvre
@@ -48,8 +49,9 @@ def test_turns_find_the_bend_within_their_noise_and_the_filter_both(
     # 0.005 degrees a root hour in 36 s; half of the angle, over pi, is the estimate. A pair is one
     # about the axis between two less half of those about the two, each from both senses.
     noise = 0.005 * np.pi / 180 * np.sqrt(36 / 3600) / (2 * np.pi) * np.sqrt((1 + 2 / 4) / 2)
-    of_turns, of_filter = capstone.pair_deviations()
-    np.testing.assert_allclose(of_turns, noise)
+    of_filter = on_reference_velocity().pair[0, -1]  # at 1 cm/s, as the run
+    np.testing.assert_allclose(capstone.turn_deviations(), noise)
+    np.testing.assert_allclose(TWELVE_TURNS, noise)
     gap = np.abs(turns[:3] - true[:3])
     assert 0.05 * noise < gap.max() < 4.9 * noise
     assert (np.abs(filtered - true)[:3] < 4.9 * of_filter).all()
@@ -64,7 +66,7 @@ def test_twelve_turns_on_the_earth_are_as_noisy_as_they_say(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     bent = capstone.bent_triad(capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT)
-    of_turns, _ = capstone.pair_deviations()
+    of_turns = capstone.turn_deviations()
     runs = 200
     errors = np.empty((runs, 3))
     for seed in range(runs):

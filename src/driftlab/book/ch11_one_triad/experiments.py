@@ -132,20 +132,12 @@ def left_over(bent: FloatArray, stage: str) -> FloatArray:
     return -filter_leftover()
 
 
-def pair_deviations() -> tuple[FloatArray, FloatArray]:
-    """Return the standard deviations (3,) of the pairs, rad, that turns and the filter state."""
+def turn_deviations() -> FloatArray:
+    """Return the standard deviations (3,) of the pairs, rad, after twelve turns."""
     angle_noise = ImuNoise().angle_random_walk * np.sqrt(TURNS[0].duration)
     # Formula (3.3) takes half of the angle along the axis, over pi.
     covariance = found_by_turns(np.zeros((3, 3))).covariance
-    of_turns = angle_noise / (2 * np.pi) * np.sqrt(np.diag(covariance)[:3])
-    calibration = filter_calibration()
-    names = calibration.model.names
-    of_filter = []
-    for pair in ("xy", "xz", "yz"):
-        rows = [names.index(f"gyro installation {word}") for word in (pair, pair[::-1])]
-        # A pair is the mean of its two entries.
-        of_filter.append(calibration.covariance[-1][np.ix_(rows, rows)].mean())
-    return of_turns, np.sqrt(of_filter)
+    return angle_noise / (2 * np.pi) * np.sqrt(np.diag(covariance)[:3])
 
 
 def aligned_heading_error(

@@ -24,9 +24,10 @@ from .choice_of_axes import (
 from .consistency import QUICK_TRIAL as QUICK_TRIAL, filter_consistency as filter_consistency
 from .designed_schemes import (
     BEST as BEST,
-    CLASSES as CLASSES,
-    FREE as FREE,
+    LOOSE as LOOSE,
+    MEAN as MEAN,
     RANDOM as RANDOM,
+    STANDING as STANDING,
     TASKS as TASKS,
     UNIT as UNIT,
     designed_schemes as designed_schemes,
@@ -45,10 +46,16 @@ from .in_place_claim import (
 )
 from .left_out import left_out as left_out
 from .mission import SETTABLE as SETTABLE, mission as mission
+from .reference_velocity import (
+    TWELVE_TURNS as TWELVE_TURNS,
+    on_reference_velocity as on_reference_velocity,
+)
 from .scheme_run import scheme_run as scheme_run
 from .schemes import (
     DRAWN_ZERO as DRAWN_ZERO,
     SLOTS as SLOTS,
+    TYPICAL_NOISE as TYPICAL_NOISE,
+    VELOCITIES as VELOCITIES,
     short_name as short_name,
     states_on_a_table as states_on_a_table,
     table_observability as table_observability,

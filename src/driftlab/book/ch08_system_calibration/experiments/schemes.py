@@ -26,6 +26,8 @@ from driftlab.quaternion import conjugate, rotate
 
 TYPICAL_NOISE = ImuNoise()
 """Of the sensors and of the reference velocity."""
+VELOCITIES = np.geomspace(1e-5, 1e-2, 7)
+"""Reference velocities for tables that stand more or less still, m/s."""
 DRAWN_ZERO = 1e-13
 """Where zero is drawn: below all eigenvalues that are none, so that these have the room."""
 

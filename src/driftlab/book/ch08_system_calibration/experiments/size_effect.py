@@ -14,6 +14,7 @@ from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES, Scheme
 
 from .calibration import SEED
+from .schemes import TYPICAL_NOISE, VELOCITIES
 
 ARM = 0.03
 """m: each accelerometer lies so far out on its own axis."""
@@ -38,12 +39,14 @@ def size_effect(
     sizes: Sequence[float] = ARM_SIZES,
     rates: Sequence[float] = tuple(np.radians(RATES).tolist()),
     dwell: float = TABLE.scheme.dwell,
+    velocities: Sequence[float] = tuple(VELOCITIES.tolist()),
     seed: int = SEED,
 ) -> DataTable:
     """Calibrate units with lever arms on tables of several rates: about a minute.
 
     `arm` is that of each accelerometer of the typical unit, on its own axis; `sizes` are arms of
-    units without other errors.
+    units without other errors. The filter takes the usual reference velocity, and at the usual rate
+    and with `arm` all `velocities`.
     """
     arm = positive_number(arm, "arm")
     table = replace(TABLE, scheme=replace(TABLE.scheme, dwell=dwell))
@@ -55,9 +58,14 @@ def size_effect(
     ]
     ratios = [(t.errors / t.calibration.standard_deviations)[-1, 6:27] for t in trials]
     innovations = np.array([t.calibration.nis.mean() / 3 for t in trials])
+    schemes = [replace(scheme, dwell=dwell) for scheme in SCHEMES.values()]
     found = np.array([
-        [_without_noise(replace(scheme, rate=rate, dwell=dwell), sizes, seed) for rate in rates]
-        for scheme in SCHEMES.values()
+        [_without_noise(replace(scheme, rate=rate), sizes, seed) for rate in rates]
+        for scheme in schemes
+    ])  # fmt: skip
+    told = np.array([
+        [_without_noise(scheme, (arm,), seed, each)[:, 0] for each in velocities]
+        for scheme in schemes
     ])  # fmt: skip
     squares, noticed, worst, bias, updates = np.moveaxis(found, 2, 0)
     names = ERROR_MODELS["averaged"].names[6:]
@@ -86,6 +94,9 @@ def size_effect(
             "worst": (worst.ravel(), "", "largest error of an accelerometer bias, in deviations"),
             "bias": (bias.ravel(), "m_per_s2", "the same"),
             "updates": (updates.ravel(), "", "innovations of three components in a calibration"),
+            "reference_velocity": (np.array(velocities), "mm_per_s", "that the filter takes"),
+            "noticed_at": (told[..., 1], "", "noticed, arm of the typical unit", tuple(SCHEMES)),
+            "worst_at": (told[..., 2], "", "worst, likewise", tuple(SCHEMES)),
             "band_from_deviations": ([-BAND], "", "of a right filter"),
             "band_to_deviations": ([BAND], "", "likewise"),
             "clean_innovations_below": ([high / 3], "", "95 % of those of a right filter"),
@@ -99,14 +110,20 @@ def on_tables(table: DataTable, name: str) -> FloatArray:
     return np.reshape(table.entry(name).values, table.shape)
 
 
-def _without_noise(scheme: Scheme, sizes: Sequence[float], seed: int) -> FloatArray:
+def _without_noise(
+    scheme: Scheme,
+    sizes: Sequence[float],
+    seed: int,
+    velocity: float = TYPICAL_NOISE.reference_velocity,
+) -> FloatArray:
     """What the arms do by themselves, and the updates (5, sizes): see the columns of the table.
 
-    The sensors are perfect, and the filter expects the usual noise. Noise would add one to each
-    expected square, and nothing else: the filter is nearly linear.
+    The sensors are perfect, and the filter expects the usual noise and this reference velocity.
+    Noise would add one to each expected square, and nothing else: the filter is nearly linear.
     """
     quiet = ImuNoise(0.0, 0.0, 0.0)
-    table = replace(TABLE, scheme=scheme, noise=quiet, assumed_noise=TABLE.noise)
+    expected = ImuNoise(reference_velocity=velocity)
+    table = replace(TABLE, scheme=scheme, noise=quiet, assumed_noise=expected)
     rng, arms = np.random.default_rng(seed), on_own_axes(np.array(sizes, float))
     trial = table.run(rng, len(sizes), imu_errors=NO_ERRORS, higher_order=arms)
     errors, nis = trial.errors[:, -1, 6:], trial.calibration.nis

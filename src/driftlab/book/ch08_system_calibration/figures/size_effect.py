@@ -10,7 +10,7 @@ from driftlab.book.machinery.figure.picture import BLACK, GREY, GUIDE, SERIES
 from driftlab.checks import FloatArray
 from driftlab.motion.scheme import SCHEMES
 
-from ..experiments import FILTERS, on_tables
+from ..experiments import FILTERS, TYPICAL_NOISE, on_tables
 
 KINDS = (
     ("gyro\nbias", 0, 3), ("gyro\nscale", 3, 6), ("gyro\nangles", 6, 9), ("acc.\nbias", 9, 12),
@@ -30,7 +30,8 @@ def caption(table: DataTable) -> str:
     )
     ratios = np.abs(table.in_deviations)
     return (
-        f"Each accelerometer lies {arm / centi:g} cm out on its own axis. Left: one "
+        f"Each accelerometer lies {arm / centi:g} cm out on its own axis; the filter takes a "
+        f"reference velocity of {100 * TYPICAL_NOISE.reference_velocity:g} cm/s. Left: one "
         "typical unit on the nineteen positions; the filter of 27 states is wrong by up to "
         f"{ratios[0].max():.0f} of its stated deviations, its mean squared innovation "
         f"is {table.innovations_over_expected[0]:.3f}; with the nine components of the arms as "
