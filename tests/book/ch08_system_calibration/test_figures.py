@@ -15,6 +15,7 @@ from driftlab.book.ch08_system_calibration.experiments import (
     BEST,
     CASES,
     DRAWN_ZERO,
+    LOOSE,
     MEAN,
     MORE,
     PARAMETERS,
@@ -42,9 +43,11 @@ from driftlab.book.ledger import ledger_entries
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.calibration import (
     ERROR_MODELS,
+    FULL,
     covariance_analysis,
     design_scheme,
     linearize_along,
+    observability_matrix,
     unobservable_subspace,
 )
 from driftlab.calibration.scheme_design import CRITERIA
@@ -216,6 +219,20 @@ def test_numbers_of_the_ledger_are_those_of_the_studies(figure: PublishedFigure)
     assert f"between {min(twice):.2f} and {max(twice):.2f}." in words
 
 
+@pytest.mark.parametrize("scheme", SCHEMES.values(), ids=SCHEMES)
+def test_three_null_directions_and_the_next_eigenvalue_at_all_latitudes(scheme: Scheme) -> None:
+    """A few times 1e-8 of the largest up to 70 degrees, a few times 1e-9 at 85."""
+    for degrees in (-85, -70, -33, 0, 20, 37.5, 60, 70, 85):
+        way = linearize_along(scheme, np.radians(degrees), FULL)
+        typical = np.sqrt(np.diag(FULL.covariance(PriorStandardDeviations(), way.start)))
+        typical[3:6] = 0.01  # m/s, as in the chapter
+        values = np.linalg.svd(observability_matrix(way) * typical, compute_uv=False) ** 2
+        zeros, following = values[:-4:-1] / values[0], values[-4] / values[0]
+        assert zeros.max() < 1e-20
+        low, high = (1.5e-9, 4.5e-9) if abs(degrees) == 85 else (2e-8, 4e-8)
+        assert low < following < high
+
+
 def test_observability_of_a_table_is_that_of_its_own_scheme_model_latitude_and_noise() -> None:
     scheme = Scheme("+90Z -90X", ["East", "North", "Up"])
     for latitude in (0.6, -0.6):
@@ -265,6 +282,29 @@ def test_published_designs_have_the_deviations_that_are_published(figure: Publis
             scheme = scheme_of(data, data.name.index(name))
             covariance = expected_covariance(scheme, reference_velocity=velocity)
             assert each == pytest.approx(float(TASKS[BEST].values(covariance)), abs=2e-6)
+
+
+@published("08-designed-scheme")
+def test_a_design_is_good_for_its_own_noise_and_criterion(figure: PublishedFigure) -> None:
+    """What chapter 08 says below the figure."""
+    data, (nineteen, eighteen) = figure.data, SCHEMES
+    criteria = dict(zip(data.name, data.criterion.T, strict=True))
+    worst, _, _ = criteria[BEST] / np.minimum(criteria[nineteen], criteria[eighteen])
+    assert 0.955 < worst < 0.97
+    assert criteria["worst, quarter turns"][0] == pytest.approx(criteria[BEST][0], rel=0.005)
+    assert criteria["volume, two axes"][1] < criteria[MEAN][1]
+    assert 0.88 < criteria[MEAN][1] / criteria[eighteen][1] < 0.91
+    after = data.after[MEAN]
+    names = data.sensor_error
+    gyros = [i for i, name in enumerate(names) if "gyro" in name and "bias" not in name]
+    assert 0.6 < after[gyros].min() < after[gyros].max() < 0.7
+    assert after.max() < 1.02
+    # For 1 cm/s a fifth less, and nothing of it on a table that stands.
+    left = data.least_known
+    gains = left[LOOSE] / np.minimum(left[nineteen], left[eighteen])
+    assert 0.77 < gains[-1] < 0.82
+    np.testing.assert_allclose(gains[data.reference_velocity < 1.1e-3], 1, atol=0.01)
+    assert left[BEST][-1] > 1.5 * max(left[name][-1] for name in (nineteen, eighteen, LOOSE))
 
 
 @pytest.mark.parametrize("seed", [1, 2])

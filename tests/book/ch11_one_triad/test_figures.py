@@ -62,6 +62,17 @@ def test_turns_find_the_bend_within_their_noise_and_the_filter_both(
     assert largest(filtered - true) < 1.5 * arcsecond
 
 
+def test_the_lead_of_turns_over_the_filter_hangs_on_the_table() -> None:
+    """Reference velocities of 10 µm/s to 1 cm/s, both schemes; a table that stops to 0 and 1″."""
+    of_turns, known = capstone.turn_deviations(), on_reference_velocity()
+    copies = np.diag(capstone.found_by_turns(np.zeros((3, 3))).covariance)[:3]
+    with_stops = np.sqrt(of_turns**2 + copies * (arcsecond / (2 * np.pi)) ** 2)
+    leads = known.pair / np.array([of_turns.max(), with_stops.max()])[:, np.newaxis, np.newaxis]
+    still = known.reference_velocity < 1.1e-4
+    assert 1 < leads[..., still].min() < leads[..., still].max() < 1.6
+    assert 3.3 < leads[..., -1].min() < leads[..., -1].max() < 4.1
+
+
 def test_twelve_turns_on_the_earth_are_as_noisy_as_they_say(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
