@@ -90,8 +90,8 @@ class ImuNoise:
     velocity_random_walk : float
         (m/s)/sqrt(s), each accelerometer.
     reference_velocity : float
-        Standard deviation of each component of the reference velocity, m/s, because the table is
-        not quite at rest. Independent from one update of the filter to the next.
+        Standard deviation of each component of the reference velocity, m/s; 1e-4 or less for
+        a table that stands. Independent from one update of the filter to the next.
     gyro_bias_instability, accelerometer_bias_instability : float
         Standard deviation of the part of each bias that varies, rad/s and m/s^2: a stationary
         first-order Gauss-Markov process, in addition to the constant (turn-on) bias.
