@@ -58,7 +58,7 @@ def draw(drawing: Drawing) -> None:
     small = "small" if sheet.on_paper else 8
     dot = 0.6 if sheet.on_paper else 1.0
     errors.set(title="deviation, over that after the nineteen positions", yscale="log")
-    top = max(60.0, 2 * table.random_95_percent.max())
+    top = max(60.0, 5 * table.random_95_percent.max())  # room for the legend
     bottom = min(0.4, 0.8 * table.random_5_percent.min())
     errors.set(xlim=(-0.7, len(names) - 0.3), ylim=(bottom, top))
     errors.axhline(1.0, color=BLACK, linewidth=0.8, label=GUIDE)
