@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.constants import micro
+from scipy.constants import arcsecond, micro
 
 from driftlab.body_frames import BODY_FRAMES
 from driftlab.book import figures
@@ -44,6 +44,7 @@ from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.calibration import (
     ERROR_MODELS,
     FULL,
+    TurntableTrial,
     covariance_analysis,
     design_scheme,
     linearize_along,
@@ -318,6 +319,19 @@ def test_on_a_table_that_stands_a_search_gains_in_the_mean_only(seed: int) -> No
         ]  # fmt: skip
         found = design_scheme(task, seed, draws=100, climbs=1).value / min(known)
         assert low < found < high
+
+
+@pytest.mark.parametrize(
+    ("velocity", "scheme"), [(1e-3, "19 positions"), (1e-4, "18 rotations"), (1e-5, "19 positions")]
+)
+def test_the_filter_is_consistent_on_tables_that_stand(velocity: float, scheme: str) -> None:
+    table = TurntableTrial(SCHEMES[scheme], sample_interval=0.1, keep=10**6,
+                           noise=ImuNoise(reference_velocity=velocity))  # fmt: skip
+    low, high = (bound / 27 for bound in mean_square_bounds(27, 40, 0.999))
+    for size, passes in ((40, 1), (400, 2)):
+        prior = PriorStandardDeviations(installation=size * arcsecond)
+        found = replace(table, prior=prior, passes=passes).run(5, 40)
+        assert low < found.nees[:, -1].mean() / 27 < high
 
 
 @published("08-size-effect")
