@@ -67,5 +67,5 @@ def test_a_ship_at_sea_rolls_pitches_yaws_and_sways():
         off = (found - expected + np.pi) % (2 * np.pi) - np.pi
         assert np.abs(off).max() < 1e-9
     # To the North-East and back, with a metre a second squared at most.
-    speed = 10 / (2 * np.pi) * np.sin(2 * np.pi * times / 10)
+    speed = 15 / (2 * np.pi) * np.sin(2 * np.pi * times / 15)
     np.testing.assert_allclose(way.velocity, np.sqrt(0.5) * np.stack([speed, speed], axis=-1))

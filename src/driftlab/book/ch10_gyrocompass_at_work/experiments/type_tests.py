@@ -12,7 +12,7 @@ from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, finite_array
 from driftlab.earth import EARTH_RATE
-from driftlab.gyrocompass.type_test import COARSE, FINE, LIMITS, Gyrocompass, marine_type_test
+from driftlab.gyrocompass.type_test import COARSE, FINE, TESTS, Gyrocompass, marine_type_test
 
 from .dial import PAPER_LARGEST
 from .voyages import DAMPING
@@ -74,8 +74,8 @@ def type_tests(
             marine_type_test(each, float(latitude), seed=seed, steps=STEPS).shares
             for latitude in places
         ]
-        shares[name] = {test: np.array([one[test] for one in found]) for test in LIMITS}
-    names, tests, at = zip(*product(shares, LIMITS, places), strict=True)
+        shares[name] = {test: np.array([one[test] for one in found]) for test in TESTS}
+    names, tests, at = zip(*product(shares, TESTS, places), strict=True)
     share = np.concatenate([each for of_tests in shares.values() for each in of_tests.values()])
     settled = np.where(np.isinf(share), np.nan, share)
     return DataTable(

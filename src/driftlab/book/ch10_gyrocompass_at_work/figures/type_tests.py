@@ -12,7 +12,7 @@ from driftlab.book.machinery.figure.picture import (
     Picture,
     legend_below_all,
 )
-from driftlab.gyrocompass.type_test import LIMITS, TypeTest
+from driftlab.gyrocompass.type_test import TESTS, TypeTest
 
 from ..experiments import HIGH, LOW
 
@@ -39,7 +39,7 @@ def draw(drawing: Drawing) -> None:
         words = f"limits up to {BEYOND:g}°"
         panel.text(BEYOND - 1, 1.6 * LOW, words, ha="right",
                    fontsize="medium" if sheet.on_paper else 9)  # fmt: skip
-        for test, style, marker in zip(LIMITS, SERIES, MARKERS, strict=True):
+        for test, style, marker in zip(TESTS, SERIES, MARKERS, strict=True):
             drawing.curve(panel, "latitude", "drawn_at", where={"compass": compass, "test": test},
                           **style, marker=marker, markersize=2.5 if sheet.on_paper else 4,
                           label=test, clip_on=False)  # fmt: skip
@@ -63,17 +63,15 @@ class BarsPicture(Picture):
         axes = panels["a"]
         axes.set(xscale="log", xlim=(LOW, HIGH), xlabel="share of the limit")
         axes.set(title="what the compass uses up of each limit")
-        axes.set_yticks(range(len(LIMITS)), LIMITS)
-        axes.set_ylim(len(LIMITS) - 0.4, -0.6)
+        axes.set_yticks(range(len(TESTS)), TESTS)
+        axes.set_ylim(len(TESTS) - 0.4, -0.6)
         axes.xaxis.set_major_formatter("{x:g}")
         axes.axvspan(1, HIGH, color="#f6e3da", zorder=0)
         axes.axvline(1, color=BLACK, linewidth=1.0)
         wide, size = (8, "medium") if self.sheet.on_paper else (11, 9)
-        self.bars = {
-            test: self.line(axes, linewidth=wide, solid_capstyle="butt") for test in LIMITS
-        }
+        self.bars = {test: self.line(axes, linewidth=wide, solid_capstyle="butt") for test in TESTS}
         self.notes = {
-            test: self.words(axes, va="center", fontsize=size, clip_on=False) for test in LIMITS
+            test: self.words(axes, va="center", fontsize=size, clip_on=False) for test in TESTS
         }
 
     def update(self, data: TypeTest) -> None:
