@@ -141,8 +141,6 @@ class ImuNoise:
 class PriorStandardDeviations:
     """Standard deviations of the unknowns before a calibration; zero for what is known.
 
-    The velocity is not among the unknowns, because the table stands still.
-
     Attributes
     ----------
     attitude : float
@@ -168,6 +166,8 @@ class PriorStandardDeviations:
     scale_factor_asymmetry : float
         Scale-factor asymmetry of each gyro and accelerometer, without unit: ten ppm, as good
         optical gyros and servo accelerometers have it.
+    velocity : float
+        Of each component at the start, m/s: zero on a table, which stands still; not on a ship.
 
     Examples
     --------
@@ -185,6 +185,7 @@ class PriorStandardDeviations:
     accelerometer_quadratic: float = 10 * micro / g
     gyro_g_sensitivity: float = 0.1 * degree / hour / g
     scale_factor_asymmetry: float = 10 * micro
+    velocity: float = 0.0
 
     def __post_init__(self) -> None:
         _check_sizes(self)

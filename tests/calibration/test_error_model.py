@@ -153,7 +153,7 @@ def test_reduction_is_the_exact_change_of_axes_to_first_order(model):
 
 
 SPREAD = PriorStandardDeviations(
-    0.2, gyro_bias=0.3, accelerometer_bias=0.5, scale_factor=0.7, installation=0.11
+    0.2, gyro_bias=0.3, accelerometer_bias=0.5, scale_factor=0.7, installation=0.11, velocity=0.9
 )
 
 
@@ -172,7 +172,7 @@ def test_prior_of_all_states_is_the_spread():
     for found, value in zip(imu_errors, expected, strict=True):
         np.testing.assert_array_equal(found, value)
     np.testing.assert_array_equal(attitude, 0.2**2)
-    np.testing.assert_array_equal(velocity, 0.0)
+    np.testing.assert_array_equal(velocity, 0.9**2)
 
 
 @every_reduced_model
@@ -199,7 +199,7 @@ def test_prior_of_a_choice_of_axes_in_closed_form(model):
     np.testing.assert_allclose(other[off], s + turned, rtol=8 * EPS)
     # The axes' own uncertainty comes to that of the table.
     np.testing.assert_allclose(attitude, 0.2**2 + turned, rtol=16 * EPS)
-    np.testing.assert_array_equal(velocity, 0.0)
+    np.testing.assert_array_equal(velocity, 0.9**2)
 
 
 @every_reduced_model

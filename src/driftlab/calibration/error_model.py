@@ -238,7 +238,7 @@ class ErrorModel:
         """
         checked_instance(prior, PriorStandardDeviations, "prior")
         matrix = [prior.scale_factor] * 3 + [prior.installation] * 6
-        sizes = [prior.attitude] * 3 + [0.0] * 3
+        sizes = [prior.attitude] * 3 + [prior.velocity] * 3
         sizes += [prior.gyro_bias] * 3 + matrix + [prior.accelerometer_bias] * 3 + matrix
         half = self.reduction(attitude) * np.array(sizes)
         covariance = half @ half.T
