@@ -92,6 +92,7 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "10-operation": {"gyro_bias_body": [0.0, 2e-6, 0.0], "latitude": 1.0, "speed_log": True},
     "10-restarts": {"restarts": 5, "window": 50, "trials": 500},
     "10-settling": {"runs": 3, "tilt": [1e-3, 0.0, 2e-3], "angle_random_walk": 1e-6},
+    "10-settling-at-sea": {"periods": [9.0], "turns": [0.0, 2.0], "units": 3, "latitude": 0.5},
     "10-static-characteristic": {
         "units": 20,
         "lasting_drift": [1e-7, 2e-6],

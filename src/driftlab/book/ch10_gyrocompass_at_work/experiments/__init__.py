@@ -1,5 +1,6 @@
 """Experiments of chapter 10: a horizon that settles, voyages, and the paper's two trials."""
 
+from .at_sea import settling_at_sea as settling_at_sea
 from .dial import (
     DIAL as DIAL,
     LEVELLING as LEVELLING,
