@@ -10,10 +10,7 @@ from driftlab.book.ch09_aligning_a_gyrocompass import experiments as alignments
 from driftlab.book.ch10_gyrocompass_at_work import experiments as at_work
 from driftlab.book.ch10_gyrocompass_at_work.experiments import dial, restarts, settling
 from driftlab.book.machinery.figure.publish import PublishedFigure
-from driftlab.gyrocompass.trials import (
-    largest_range_over_standard_deviation,
-    range_over_standard_deviation,
-)
+from driftlab.gyrocompass.trials import largest_range_over_standard_deviation
 from published import published
 from saratov import GRAVITY, HOURLY, LEVEL_RATE, SCHULER
 from support import EPS, chi_bounds, largest, range_distribution
@@ -79,18 +76,6 @@ def test_a_spread_of_six_deviations_is_nothing_to_explain(figure: PublishedFigur
     assert both_ways[0] > largest_range_over_standard_deviation(at_work.RESTARTS)
     spreads = six[0] * np.linspace(0.0535, 0.0545, 11)
     assert {f"{spread:.1f}" for spread in spreads} == {f"{at_work.PAPER_SPREAD:.1f}"}
-
-
-def test_ends_of_one_gyro_predict_more_than_was_observed() -> None:
-    """Whether its noise at a start lies at the ends of the paper's range or between them."""
-    rng, size = np.random.default_rng(7), (100_000, at_work.RESTARTS)
-    for noise in (rng.uniform(0.01, 0.02, size), rng.choice([0.01, 0.02], size)):
-        headings = np.degrees(noise * HOURLY * rng.standard_normal(size) / LEVEL_RATE)
-        assert np.sqrt(np.mean(headings**2)) == pytest.approx(0.095, abs=0.005)
-        close = np.mean(headings.std(axis=1, ddof=1) < at_work.PAPER_DEVIATION + 0.0005)
-        assert 0.001 < close < 0.004
-        wide = range_over_standard_deviation(headings)
-        assert 0.001 < np.mean(wide > at_work.PAPER_SPREAD / at_work.PAPER_DEVIATION) < 0.01
 
 
 def test_rounding_is_the_least_and_the_most_that_reads_so() -> None:
