@@ -60,7 +60,15 @@ def irregular(latitude: float, turn: float, rng: np.random.Generator) -> at_sea.
 
 
 @pytest.mark.parametrize(
-    ("latitude", "period"), [(-1.2, 6.0), (1.2, 15.0), (0.0, 15.0), (-1.1, None), (0.2, None)]
+    ("latitude", "period"),
+    [
+        (1.2, 15.0),
+        (-1.1, None),
+        *(
+            pytest.param(*place, marks=pytest.mark.long)
+            for place in ((-1.2, 6), (0, 15), (0.2, None))
+        ),
+    ],
 )
 def test_a_turn_tells_the_filter_the_drifts(latitude: float, period: float | None) -> None:
     """And not the alignment in inertial space. The filter states too much, not too little."""
