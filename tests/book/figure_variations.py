@@ -65,7 +65,7 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "05-riccati-turns": {"misses": [0.1], "turns": 2, "steps": 50, "tolerances": [1e-4, 1e-5]},
     "10-ship-under-way": {"speed": 5.0, "turn": -1.5, "window": "gathering way"},
     "08-calibration-errors": {"scheme": SHORT, "seed": 2},
-    "08-choice-of-axes": {"units": 2, "sizes": [2e-3], "dwell": 1.0},
+    "08-neglected-terms": {"units": 2, "spread": 1e-3, "ratio": 2.0, "dwell": 3.0},
     "08-designed-scheme": {
         "random_schemes": 3,
         "draws": 1,

@@ -8,37 +8,26 @@ import numpy as np
 import pytest
 from scipy.constants import arcsecond, micro
 
-from driftlab.body_frames import BODY_FRAMES
 from driftlab.book import figures
 from driftlab.book.ch08_system_calibration.experiments import (
-    BATCH,
     BEST,
-    CASES,
     DRAWN_ZERO,
     LOOSE,
     MEAN,
-    MORE,
     PARAMETERS,
     RANDOM,
     STANDING,
     TASKS,
     TWELVE_TURNS,
-    Case,
     calibration_history,
-    compared,
-    excess,
     expected_covariance,
-    normalised_errors,
     on_reference_velocity,
     rows_of,
     scheme_of,
-    squares_of,
     table_observability,
     typical_trial,
     unit_of,
 )
-from driftlab.book.ch08_system_calibration.experiments.choice_of_axes import UNITS
-from driftlab.book.ledger import ledger_entries
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.calibration import (
     ERROR_MODELS,
@@ -54,7 +43,7 @@ from driftlab.calibration.scheme_design import CRITERIA
 from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES, Scheme
-from published import percent, published
+from published import published
 
 
 @pytest.mark.xdist_group("CalibrationRunExplorer")
@@ -92,93 +81,18 @@ def test_filter_consistency_of_the_published_runs(figure: PublishedFigure) -> No
     assert data.state_bound_low < data.states_over_expected[-1] < data.state_bound_high
 
 
-@published("08-choice-of-axes")
-def test_choice_of_axes_is_read_from_the_study_that_the_code_makes(figure: PublishedFigure) -> None:
-    """The study takes minutes, so its first units are computed anew, for a few of its cases."""
-    study = figure.data
-    assert [c for c in study.squares if not c.endswith(MORE)] == [str(case) for case in CASES]
-    for case in CASES:
-        values = squares_of(study, case)
-        assert len(values) == (2 * UNITS if (case.size, case.passes) == (400, 1) else UNITS)
-    for case in (
-        Case("19 positions", 400, "averaged", 1),
-        Case("18 rotations", 400, "upper triangle", 1),
-        Case("18 rotations", 200, "accelerometers", 1),
-        Case("19 positions", 400, "averaged accelerometers", 2),
-    ):
-        found = normalised_errors(case, BATCH)
-        # Six decimals are written; a covariance of 27 states keeps seven digits or so.
-        np.testing.assert_allclose(found, squares_of(study, case)[:BATCH], rtol=1e-5, atol=1e-4)
-
-
 def test_a_study_is_computed_only_where_its_table_is_not_at_hand(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    name = "08-choice-of-axes"
+    name = "08-neglected-terms"
     known = figures.figure_definitions("08")[name]
     whole = figures.figure(name).data
     quick = replace(known, compute=lambda: whole)
     monkeypatch.setattr(figures, "figure_definitions", lambda _: {name: quick})
     assert figures.figure(name).data is not whole
     monkeypatch.setattr(figures, "_FOLDER", tmp_path)
-    with pytest.warns(UserWarning, match=r"^08-choice-of-axes is computed anew, which takes min"):
+    with pytest.warns(UserWarning, match=r"^08-neglected-terms is computed anew, which takes min"):
         assert figures.figure(name).data is whole
-
-
-@published("08-choice-of-axes")
-def test_best_axes_depend_on_the_scheme_and_averaged_ones_are_best_on_none(
-    figure: PublishedFigure,
-) -> None:
-    """What the chapter and the ledger say of the units bent by 400 arc seconds."""
-    data, (first, second) = figure.data, SCHEMES
-    counted = {
-        (scheme, rival): compared(data, scheme, 400, rival)
-        for scheme in SCHEMES
-        for rival in BODY_FRAMES[1:]
-    }
-    # The numbers that the book states.
-    assert [each.better for each in counted.values()] == [362, 390, 224, 288, 252, 465, 253, 270]
-    certain = 0.05 / sum(case.frame != "averaged" for case in CASES)
-    wins = [(first, "upper triangle"), (first, "lower triangle"), (second, "lower triangle")]
-    losses = [(second, "upper triangle"), (first, "accelerometers"), (second, "accelerometers")]
-    for pairs, better in ((wins, True), (losses, False)):
-        for pair in pairs:
-            assert counted[pair].chance < certain
-            assert (counted[pair].better > counted[pair].units / 2) == better
-    # From the other skew part they are not told with certainty unit by unit; its means are less.
-    for scheme in SCHEMES:
-        assert counted[scheme, "averaged accelerometers"].chance > certain
-        mean, error = excess(data, scheme, 400, "averaged accelerometers")
-        assert mean > 2 * error
-    # The upper triangle wins in most units on the second scheme, and not in the mean.
-    mean, error = excess(data, second, 400, "upper triangle")
-    assert -2 * error < mean < 0
-
-
-@published("08-choice-of-axes")
-def test_after_a_second_pass_no_choice_of_axes_is_better(figure: PublishedFigure) -> None:
-    data = figure.data
-    # The mean of so many squares of a consistent filter; Bonferroni for ten cases.
-    low, high = (bound / 27 for bound in mean_square_bounds(27, UNITS, 1 - 0.05 / 10))
-    for case in CASES:
-        if case.passes == 2:
-            assert low < squares_of(data, case).mean() < high
-            assert squares_of(data, case._replace(passes=1)).mean() > 2 * high
-    for scheme in SCHEMES:
-        for rival in BODY_FRAMES[1:]:
-            twice = compared(data, scheme, 400, rival, 2)
-            assert twice.interval[0] < 0.5 < twice.interval[1]
-            assert twice.median == pytest.approx(1, abs=2e-3)
-
-
-@published("08-choice-of-axes")
-def test_typical_units_do_not_notice_the_choice_of_axes(figure: PublishedFigure) -> None:
-    low, high = (bound / 27 for bound in mean_square_bounds(27, UNITS, 1 - 0.05 / 10))
-    for case in CASES:
-        if case.size == 40:
-            assert low < squares_of(figure.data, case).mean() < high
-            certain = case.frame != "averaged" and compared(figure.data, *case).chance < 0.05 / 40
-            assert not certain
 
 
 @published("08-table-observability")
@@ -193,30 +107,6 @@ def test_table_observability_draws_zero_for_the_unobservable(figure: PublishedFi
     assert len(drawn.unobservable.get_xdata()) == 3
     assert len(drawn.bright.get_xdata()) == 27
     assert len(drawn.ratios.get_xdata()) == 24
-
-
-@published("08-choice-of-axes")
-def test_numbers_of_the_ledger_are_those_of_the_studies(figure: PublishedFigure) -> None:
-    (entry,) = (e for e in ledger_entries() if e.label == "Least neglected terms")
-    words = f"{entry.proof} {entry.in_favour}"
-    medians = []
-    for frame in BODY_FRAMES:
-        one, two = (squares_of(figure.data, Case(scheme, 400, frame, 1)) for scheme in SCHEMES)
-        errors = [values.std(ddof=1) / np.sqrt(values.size) for values in (one, two)]
-        assert f"{one.mean():.1f} ± {errors[0]:.1f} and {two.mean():.1f} ± {errors[1]:.1f}" in words
-        medians.append(f"{np.median(one):.1f} and {np.median(two):.1f}")
-    assert f"Medians: {'; '.join(medians)}." in words
-    for rival in BODY_FRAMES[1:]:
-        pair = [compared(figure.data, scheme, 400, rival) for scheme in SCHEMES]
-        assert f"in {pair[0].better} and {pair[1].better}" in words
-        assert f"{percent(pair[0].interval)}, {percent(pair[1].interval)})" in words
-    rises = []
-    for scheme in SCHEMES:
-        mean, error = excess(figure.data, scheme, 400, "averaged accelerometers")
-        rises.append(f"{mean / error:.1f}")
-    assert f"by {' and '.join(rises)} standard errors" in words
-    twice = [squares_of(figure.data, case).mean() for case in CASES if case.passes == 2]
-    assert f"between {min(twice):.2f} and {max(twice):.2f}." in words
 
 
 @pytest.mark.parametrize("scheme", SCHEMES.values(), ids=SCHEMES)

@@ -9,18 +9,6 @@ from .calibration import (
     typical_trial as typical_trial,
     unit_of as unit_of,
 )
-from .choice_of_axes import (
-    BATCH as BATCH,
-    CASES as CASES,
-    MORE as MORE,
-    PASSES as PASSES,
-    Case as Case,
-    choice_of_axes as choice_of_axes,
-    compared as compared,
-    excess as excess,
-    normalised_errors as normalised_errors,
-    squares_of as squares_of,
-)
 from .consistency import QUICK_TRIAL as QUICK_TRIAL, filter_consistency as filter_consistency
 from .designed_schemes import (
     BEST as BEST,
@@ -46,6 +34,16 @@ from .in_place_claim import (
 )
 from .left_out import left_out as left_out
 from .mission import SETTABLE as SETTABLE, mission as mission
+from .neglected_terms import (
+    COMPARISONS as COMPARISONS,
+    EQUATIONS as EQUATIONS,
+    MOUNTINGS as MOUNTINGS,
+    WAYS as WAYS,
+    by_case as by_case,
+    error_equations as error_equations,
+    neglected as neglected,
+    neglected_terms as neglected_terms,
+)
 from .reference_velocity import (
     TWELVE_TURNS as TWELVE_TURNS,
     on_reference_velocity as on_reference_velocity,

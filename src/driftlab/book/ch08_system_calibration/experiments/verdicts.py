@@ -12,7 +12,7 @@ class Verdict(NamedTuple):
 
     better: int
     units: int
-    # of 95 %, for the part of units that does better (Clopper and Pearson)
+    # for the part of units that does better (Clopper and Pearson)
     interval: tuple[float, float]
     # probability that equal methods would be as far from one half: the sign test, on both sides
     chance: float
@@ -24,13 +24,13 @@ class Verdict(NamedTuple):
         return self.better / self.units, *self.interval
 
 
-def verdict(ratios: FloatArray) -> Verdict:
+def verdict(ratios: FloatArray, confidence: float = 0.95) -> Verdict:
     """Count the units for which the averaged axes did better, from ratios (units,)."""
     from scipy.stats import binomtest  # takes a third of a second to be loaded
 
     better = int((ratios < 1).sum())
     test = binomtest(better, len(ratios))
-    interval = test.proportion_ci(0.95, "exact")
+    interval = test.proportion_ci(confidence, "exact")
     return Verdict(
         better,
         len(ratios),

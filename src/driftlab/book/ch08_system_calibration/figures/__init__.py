@@ -9,11 +9,11 @@ from driftlab.book.machinery.figure.publish import FigureDefinition
 from .. import experiments
 from . import (
     calibration_errors,
-    choice_of_axes,
     designed_scheme,
     filter_consistency,
     in_place,
     in_place_claim,
+    neglected_terms,
     scheme_directions,
     size_effect,
     table_observability,
@@ -26,7 +26,7 @@ _DRAWN: tuple[tuple[str, Callable[..., DataTable], ModuleType, bool], ...] = (
     ("08-designed-scheme", experiments.designed_schemes, designed_scheme, True),
     ("08-filter-consistency", experiments.filter_consistency, filter_consistency, False),
     ("08-size-effect", experiments.size_effect, size_effect, True),
-    ("08-choice-of-axes", experiments.choice_of_axes, choice_of_axes, True),
+    ("08-neglected-terms", experiments.neglected_terms, neglected_terms, True),
     ("08-in-place", experiments.errors_at_rest, in_place, False),
     ("08-in-place-claim", experiments.error_ratios_at_rest, in_place_claim, True),
 )

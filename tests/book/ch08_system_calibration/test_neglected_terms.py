@@ -1,0 +1,104 @@
+"""In which body axes the neglected second order is least: what the book says of it."""
+
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+import pytest
+from scipy.constants import arcsecond
+
+from driftlab.book.ch08_system_calibration.experiments import (
+    EQUATIONS,
+    MOUNTINGS,
+    WAYS,
+    by_case,
+    error_equations,
+    neglected,
+)
+from driftlab.book.ch08_system_calibration.experiments.neglected_terms import BATCH, SEED, STEP
+from driftlab.book.machinery.figure.publish import PublishedFigure
+from driftlab.checks import FloatArray
+from driftlab.imu import NO_ERRORS, ImuErrors, PriorStandardDeviations, random_imu_errors
+from driftlab.monte_carlo import run_batches
+from driftlab.motion.scheme import SCHEMES
+from driftlab.motion.turntable import turntable_trajectory
+from driftlab.quaternion import from_rotation_vector, to_matrix
+from published import published
+
+LATITUDE = np.radians(37.5)
+AVERAGED, UPPER, LOWER, TRIANGLE, OTHER = range(5)
+"""Places in `BODY_FRAMES`; a column of rivals lacks the first."""
+
+
+def on_the_table(scheme: str, unit: ImuErrors) -> FloatArray:
+    short = replace(SCHEMES[scheme], dwell=20.0)
+    true = turntable_trajectory(short, LATITUDE, 0.25, multiple_of=STEP)
+    return np.array([*error_equations(true, unit, LATITUDE)])
+
+
+@published("08-neglected-terms")
+def test_study_is_read_from_what_the_code_makes(figure: PublishedFigure) -> None:
+    """The study takes minutes, so its first units are computed anew, for one of six cases."""
+    scheme, mounting, spreads = 1, MOUNTINGS.index("gyros built worse"), (400, 100)
+    task = partial(neglected, [*SCHEMES][scheme], *(s * arcsecond for s in spreads), 63.0)
+    (found,) = run_batches(task, BATCH, seed=SEED, batch_size=BATCH)
+    kept = by_case(figure.data, "size_of_first")[scheme, mounting]
+    # A covariance of 27 states keeps seven digits or so.
+    np.testing.assert_allclose(found.mean(axis=-1), kept, rtol=1e-5)
+
+
+@published("08-neglected-terms")
+def test_averaged_axes_leave_out_least_in_the_error_equations(figure: PublishedFigure) -> None:
+    """What the ledger says: with triads alike in all 32 comparisons, else in 62 of 64."""
+    better = by_case(figure.data, "part_low")[:, :, : len(EQUATIONS)] > 0.5
+    worse = by_case(figure.data, "part_high")[:, :, : len(EQUATIONS)] < 0.5
+    alike = MOUNTINGS.index("both alike")
+    assert better[:, alike].all()
+    assert (better[:, alike].size, better.sum(), worse.sum()) == (32, 94, 1)
+    lost = 0, 0, EQUATIONS.index("table's path, attitude"), OTHER - 1
+    assert worse[lost]
+    assert by_case(figure.data, "better")[lost] == 245
+    size = by_case(figure.data, "size")[:, alike, : len(EQUATIONS)]
+    assert (size.argmin(axis=-1) == AVERAGED).all()
+
+
+@published("08-neglected-terms")
+def test_in_filters_it_depends_on_where_they_are_linearised(figure: PublishedFigure) -> None:
+    better, worse = by_case(figure.data, "part_low") > 0.5, by_case(figure.data, "part_high") < 0.5
+    opened, *fed_back, again = range(len(EQUATIONS), len(WAYS))
+    assert not worse[..., [UPPER - 1, LOWER - 1]].any()
+    assert not worse[:, :, [opened, again]].any()
+    assert not better[:, :, again].any()
+    assert better[:, :, opened].sum() == 19  # of 24
+    # Axes tied to the accelerometers, where these are built better, alike and worse; of eight.
+    tied = np.ix_([0, 1], range(3), fed_back, [TRIANGLE - 1, OTHER - 1])
+    assert worse[tied].sum(axis=(0, 2, 3)).tolist() == [8, 7, 0]
+    assert better[tied].sum(axis=(0, 2, 3)).tolist() == [0, 0, 8]
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_equations_leave_out_the_second_order_and_nothing_of_the_first(scheme: str) -> None:
+    """Twice the errors leave four times as much, but for the computation's own error."""
+    unit = random_imu_errors(PriorStandardDeviations(installation=400 * arcsecond), 1, 10)
+    twice = ImuErrors(*(2 * each for each in unit))
+    two, one = ((on_the_table(scheme, each) ** 2).mean(axis=-1) for each in (twice, unit))
+    np.testing.assert_allclose(np.sqrt(two / one), 4.0, rtol=0.1)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_misalignment_of_the_triads_leaves_less_in_the_accelerometers_matrix(scheme: str) -> None:
+    """The authors' reason: there it enters the velocity alone."""
+    vectors = 400 * arcsecond * np.random.default_rng(1).standard_normal((20, 3))
+    turned = to_matrix(from_rotation_vector(vectors)) - np.eye(3)
+    left = on_the_table(scheme, NO_ERRORS._replace(accelerometer_error_matrix=turned))
+    # Nothing else is wrong: three choices leave it to the accelerometers, two to the gyros.
+    gyros, accelerometers = left.mean(axis=-1)[:, OTHER], left.mean(axis=-1)[:, AVERAGED]
+    assert (gyros > 3 * accelerometers).all()
+
+
+def test_filters_fed_back_agree_where_nothing_is_bent() -> None:
+    """Two gains and two passes: about the table's path, as the package has it, and once more."""
+    bent = neglected("18 rotations", arcsecond, arcsecond, 20.0, np.random.default_rng(0), 12)
+    table, package, again = bent[len(EQUATIONS) + 1 :]
+    np.testing.assert_allclose(table, package, rtol=0.02)
+    np.testing.assert_allclose(again, package, rtol=0.02)
