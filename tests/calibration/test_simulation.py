@@ -222,31 +222,6 @@ def test_deviations_are_those_expected_without_any_data(frame):
     np.testing.assert_allclose(ratios[6:], 1, rtol=0, atol=0.03)
 
 
-@pytest.fixture(scope="module")
-def badly_installed():
-    """Squared errors of the same eighty units, 300 arc seconds wrong, in three sets of axes."""
-    prior = PriorStandardDeviations(installation=300 * arcsecond)
-    trial = replace(TRIAL, prior=prior, sample_interval=0.5, update_interval=6.0)
-    return {
-        frame: replace(trial, frame=frame).run(np.random.default_rng(0), 80).nees[:, -1]
-        for frame in FRAMES[:3]
-    }
-
-
-@pytest.mark.long
-def test_averaged_axes_keep_second_order_smaller_than_triangles(badly_installed):
-    """The paper's remark on its axes: what a linear filter leaves out is less in them.
-
-    Any one unit may like one triangle by chance, and a few bad ones make the mean. So both
-    triangles count, by the ratios of single units: beyond what chance does 99 times of 100.
-    """
-    averaged, *triangles = badly_installed.values()
-    ratios = np.log(triangles / averaged).mean(axis=0)
-    assert ratios.mean() > norm.isf(0.01) * ratios.std(ddof=1) / np.sqrt(len(ratios))
-    # With 200 runs at the default sampling 98 of 27 stood against 224 and 214.
-    assert np.mean(triangles) > 1.4 * averaged.mean() > 1.4 * 1.5 * 27
-
-
 # Units, attitudes and axes
 
 
