@@ -11,7 +11,6 @@ from driftlab.book.ch08_system_calibration.experiments import (
     EQUATIONS,
     MOUNTINGS,
     WAYS,
-    by_case,
     error_equations,
     neglected,
 )
@@ -42,7 +41,7 @@ def test_study_is_read_from_what_the_code_makes(figure: PublishedFigure) -> None
     scheme, mounting, spreads = 1, MOUNTINGS.index("gyros built worse"), (400, 100)
     task = partial(neglected, [*SCHEMES][scheme], *(s * arcsecond for s in spreads), 63.0)
     (found,) = run_batches(task, BATCH, seed=SEED, batch_size=BATCH)
-    kept = by_case(figure.data, "size_of_first")[scheme, mounting]
+    kept = figure.data.size_of_first[scheme, mounting]
     # A covariance of 27 states keeps seven digits or so.
     np.testing.assert_allclose(found.mean(axis=-1), kept, rtol=1e-5)
 
@@ -50,16 +49,16 @@ def test_study_is_read_from_what_the_code_makes(figure: PublishedFigure) -> None
 @published("08-neglected-terms")
 def test_averaged_axes_leave_out_least_in_the_error_equations(figure: PublishedFigure) -> None:
     """What the ledger says: with triads alike in all 32 comparisons, else in 62 of 64."""
-    better = by_case(figure.data, "part_low")[:, :, : len(EQUATIONS)] > 0.5
-    worse = by_case(figure.data, "part_high")[:, :, : len(EQUATIONS)] < 0.5
+    better = figure.data.part_low[..., : len(EQUATIONS)] > 0.5
+    worse = figure.data.part_high[..., : len(EQUATIONS)] < 0.5
     alike = MOUNTINGS.index("both alike")
     assert better[:, alike].all()
     assert (better[:, alike].size, better.sum(), worse.sum()) == (32, 94, 1)
-    lost = 0, 0, EQUATIONS.index("table's path, attitude"), OTHER - 1
+    lost = 0, 0, OTHER - 1, EQUATIONS.index("table's path, attitude")
     assert worse[lost]
-    assert by_case(figure.data, "better")[lost] == 245
-    size = by_case(figure.data, "size")[:, alike, : len(EQUATIONS)]
-    assert (size.argmin(axis=-1) == AVERAGED).all()
+    assert figure.data.better[lost] == 245
+    size = figure.data.size[:, alike, :, : len(EQUATIONS)]
+    assert (size.argmin(axis=1) == AVERAGED).all()
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -73,14 +72,14 @@ def test_the_same_elsewhere_and_for_smaller_errors(scheme: str, degrees: float, 
 
 @published("08-neglected-terms")
 def test_in_filters_it_depends_on_where_they_are_linearised(figure: PublishedFigure) -> None:
-    better, worse = by_case(figure.data, "part_low") > 0.5, by_case(figure.data, "part_high") < 0.5
+    better, worse = figure.data.part_low > 0.5, figure.data.part_high < 0.5
     opened, *fed_back, again = range(len(EQUATIONS), len(WAYS))
-    assert not worse[..., [UPPER - 1, LOWER - 1]].any()
-    assert not worse[:, :, [opened, again]].any()
-    assert not better[:, :, again].any()
-    assert better[:, :, opened].sum() == 19  # of 24
+    assert not worse[:, :, [UPPER - 1, LOWER - 1]].any()
+    assert not worse[..., [opened, again]].any()
+    assert not better[..., again].any()
+    assert better[..., opened].sum() == 19  # of 24
     # Axes tied to the accelerometers, where these are built better, alike and worse; of eight.
-    tied = np.ix_([0, 1], range(3), fed_back, [TRIANGLE - 1, OTHER - 1])
+    tied = np.ix_([0, 1], range(3), [TRIANGLE - 1, OTHER - 1], fed_back)
     assert worse[tied].sum(axis=(0, 2, 3)).tolist() == [8, 7, 0]
     assert better[tied].sum(axis=(0, 2, 3)).tolist() == [0, 0, 8]
 
@@ -108,6 +107,6 @@ def test_misalignment_of_the_triads_leaves_less_in_the_accelerometers_matrix(sch
 def test_filters_fed_back_agree_where_nothing_is_bent() -> None:
     """Two gains and two passes: about the table's path, as the package has it, and once more."""
     bent = neglected("18 rotations", arcsecond, arcsecond, 20.0, np.random.default_rng(0), 12)
-    table, package, again = bent[len(EQUATIONS) + 1 :]
+    table, package, again = bent[:, len(EQUATIONS) + 1 :].swapaxes(0, 1)
     np.testing.assert_allclose(table, package, rtol=0.02)
     np.testing.assert_allclose(again, package, rtol=0.02)

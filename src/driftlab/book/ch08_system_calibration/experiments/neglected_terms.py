@@ -59,7 +59,9 @@ WAYS = (
     *EQUATIONS, "open loop", "fed back, table's path", "fed back, re-linearised", "second pass",
 )  # fmt: skip
 """Then the filters, by where they are linearised: the first two about the table's path."""
-COMPARISONS = len(SCHEMES) * len(MOUNTINGS) * len(WAYS) * (len(BODY_FRAMES) - 1)
+RIVALS = BODY_FRAMES[1:]
+"""Choices of axes with which the averaged ones, the first, are compared."""
+COMPARISONS = len(SCHEMES) * len(MOUNTINGS) * len(RIVALS) * len(WAYS)
 STEP = 12
 """Increments in a step of the error equations, 3 s; longer steps have errors of their own."""
 
@@ -79,40 +81,30 @@ def neglected_terms(
     units = whole_number(units, "units", least=2)
     worse, ratio = positive_number(spread, "spread"), positive_number(ratio, "ratio")
     better = worse / ratio
-    cases, sizes, firsts, verdicts = [], [], [], []
+    found = []
     for scheme in SCHEMES:
-        triads = (worse, better), (worse, worse), (better, worse)
-        for mounting, (gyros, accelerometers) in zip(MOUNTINGS, triads, strict=True):
-            task = partial(neglected, scheme, gyros, accelerometers, dwell)
-            found = np.concatenate(run_batches(task, units, seed=seed, batch_size=BATCH), axis=-1)
-            cases += [(f"{scheme}; {mounting}", way) for way in WAYS]
-            sizes.append(found.mean(axis=-1))
-            firsts.append(found[..., :BATCH].mean(axis=-1))
-            verdicts += [
-                verdict(averaged / rival, 1 - 0.05 / COMPARISONS)
-                for averaged, *rivals in found
-                for rival in rivals
-            ]
-    part, low, high = np.transpose([each.part for each in verdicts])
+        for triads in ((worse, better), (worse, worse), (better, worse)):
+            task = partial(neglected, scheme, *triads, dwell)
+            found.append(run_batches(task, units, seed=seed, batch_size=BATCH))
+    shape = len(SCHEMES), len(MOUNTINGS), len(BODY_FRAMES), len(WAYS), units
+    left = np.concatenate(list(zip(*found, strict=True)), axis=-1).reshape(shape)
+    ratios = left[:, :, :1] / left[:, :, 1:]
+    verdicts = [verdict(each, 1 - 0.05 / COMPARISONS) for each in ratios.reshape(-1, units)]
+    parts = np.transpose([each.part for each in verdicts]).reshape(3, *ratios.shape[:-1])
+    of_axes, of_rivals = (([*SCHEMES], MOUNTINGS, axes) for axes in (BODY_FRAMES, RIVALS))
+    means = left.mean(axis=-1), left[..., :BATCH].mean(axis=-1)
     return DataTable(
         {
-            "size_in": ([case for case, _ in cases for _ in BODY_FRAMES], "",
-                "scheme and mounting of the triads"),
-            "size_way": ([way for _, way in cases for _ in BODY_FRAMES], "",
-                "where something is neglected"),
-            "axes": ([*BODY_FRAMES] * len(cases), "", "body axes"),
-            "size": (np.ravel(sizes), "", "mean over the units: what the error equations leave out "
-                "of velocity (m/s) and attitude (rad), root mean square over time; of filters, "
-                "squared errors of the 27 states over what they state"),
-            "size_of_first": (np.ravel(firsts), "", f"the same mean, first {BATCH} units"),
-            "part_in": ([case for case, _ in cases for _ in BODY_FRAMES[1:]], "", "as size_in"),
-            "part_way": ([way for _, way in cases for _ in BODY_FRAMES[1:]], "", "as size_way"),
-            "rival": ([*BODY_FRAMES[1:]] * len(cases), "", "body axes"),
-            "better": ([each.better for each in verdicts], "",
-                "units in which averaged axes leave out less than the rival"),
-            "part": (part, "", "the same, part of the units"),
-            "part_low": (low, "", f"interval of 95 % for all {COMPARISONS} together"),
-            "part_high": (high, "", "likewise"),
+            "way": (WAYS, "", "where something is neglected"),
+            "size": (means[0], "", "mean over the units: what the error equations leave out of "
+                "velocity (m/s) and attitude (rad), root mean square over time; of filters, "
+                "squared errors of the 27 states over what they state", of_axes),
+            "size_of_first": (means[1], "", f"the same mean, first {BATCH} units", of_axes),
+            "better": ((ratios < 1).sum(axis=-1), "",
+                "units in which averaged axes leave out less than the rival", of_rivals),
+            "part": (parts[0], "", "the same, part of the units", of_rivals),
+            "part_low": (parts[1], "", f"95 % interval for all {COMPARISONS} together", of_rivals),
+            "part_high": (parts[2], "", "likewise", of_rivals),
         },
         {
             "units": (units, "", "units in each case"),
@@ -120,12 +112,6 @@ def neglected_terms(
             "ratio": (ratio, "", "times those of the triad built better"),
         },
     )  # fmt: skip
-
-
-def by_case(study: DataTable, column: str) -> FloatArray:
-    """A column as (schemes, mountings, ways, axes), for the five choices of axes or four rivals."""
-    shape = len(SCHEMES), len(MOUNTINGS), len(WAYS), -1
-    return np.reshape(getattr(study, column), shape)
 
 
 class Record(NamedTuple):
@@ -147,7 +133,7 @@ def neglected(
     rng: np.random.Generator,
     size: int,
 ) -> FloatArray:
-    """What is neglected in random units, (ways, axes, units); spreads of installation in rad."""
+    """What is neglected in random units, (axes, ways, units); spreads of installation in rad."""
     trial = quick_trial(scheme, gyros / arcsecond, dwell)
     unit = random_imu_errors(trial.prior, rng, size)
     built = np.where(np.eye(3), 1.0, accelerometers / gyros)
@@ -169,8 +155,9 @@ def neglected(
             wrong = model.state(in_axes) - state
             wrong[:, :6] = np.hstack([attitude_error(attitude, at_end), velocity])
             found.append(nees(wrong, covariance) / model.size)
-    filtered = np.reshape(found, (len(BODY_FRAMES), -1, size)).swapaxes(0, 1)
-    return np.concatenate([[*error_equations(true, unit, trial.latitude)], filtered])
+    filtered = np.reshape(found, (len(BODY_FRAMES), -1, size))
+    equations = np.swapaxes([*error_equations(true, unit, trial.latitude)], 0, 1)
+    return np.concatenate([equations, filtered], axis=1)
 
 
 def error_equations(true: Trajectory, unit: ImuErrors, latitude: float) -> Iterator[FloatArray]:

@@ -2,19 +2,18 @@
 
 import numpy as np
 
-from driftlab.body_frames import BODY_FRAMES
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.machinery.figure.drawing import Drawing, from_table
 from driftlab.book.machinery.figure.picture import BLACK, GREY, GUIDE, SERIES, legend_below_all
 from driftlab.motion.scheme import SCHEMES
 
-from ..experiments import COMPARISONS, EQUATIONS, MOUNTINGS, WAYS, by_case
+from ..experiments import COMPARISONS, EQUATIONS, MOUNTINGS, RIVALS, WAYS
 
 
 def caption(table: DataTable) -> str:
     """Say what is drawn, and in how many comparisons averaged axes certainly leave out less."""
-    better, worse = by_case(table, "part_low") > 0.5, by_case(table, "part_high") < 0.5
-    equations, filters = np.s_[:, :, : len(EQUATIONS)], np.s_[:, :, len(EQUATIONS) :]
+    better, worse = table.part_low > 0.5, table.part_high < 0.5
+    equations, filters = np.s_[..., : len(EQUATIONS)], np.s_[..., len(EQUATIONS) :]
     return (
         f"In which part of {table.units} random units averaged axes leave out less than four "
         "rivals. Filled: nineteen positions; hollow: eighteen rotations, commonly quoted as those "
@@ -41,7 +40,7 @@ def draw(drawing: Drawing) -> None:
     names = [f"equations,\n{way}" if way in EQUATIONS else way for way in WAYS]
     small = "small" if sheet.on_paper else 9
     dot = 0.6 if sheet.on_paper else 1.0
-    series = [(rival, scheme) for rival in BODY_FRAMES[1:] for scheme in SCHEMES]
+    series = [(rival, scheme) for rival in RIVALS for scheme in SCHEMES]
     for panel, mounting in zip(panels.values(), MOUNTINGS, strict=True):
         panel.set_title(mounting, fontsize=small)
         panel.set(xlim=(-0.02, 1.02), ylim=(len(WAYS) - 0.5, -0.5), xticks=[0, 0.25, 0.5, 0.75, 1])
@@ -52,10 +51,10 @@ def draw(drawing: Drawing) -> None:
             panel.axhline(edge, color=line[0], linewidth=line[1], label=GUIDE)
         for k, (rival, scheme) in enumerate(series):
             style = k // len(SCHEMES)
+            of = f"{scheme}, {mounting}, {rival}"
             drawing.error_bars(
-                panel, "part", places + 0.105 * (k - (len(series) - 1) / 2),
-                "part_low", "part_high", across=True,
-                where={"part_in": f"{scheme}; {mounting}", "rival": rival},
+                panel, f"part, {of}", places + 0.105 * (k - (len(series) - 1) / 2),
+                f"part_low, {of}", f"part_high, {of}", across=True,
                 color=SERIES[style]["color"], marker="os^D"[style], markersize=4.5 * dot,
                 elinewidth=1.2 * dot, linestyle="none",
                 markerfacecolor="white" if k % 2 else None, label=f"{rival}, {scheme}",
