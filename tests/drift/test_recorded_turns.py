@@ -311,7 +311,8 @@ def test_the_price_of_an_error_of_the_axes(axes, turns, orders):
         def error(size):
             records = turned(axes, size * np.array(turns))
             # Noise far below the axis error: what is measured across counts for nothing along.
-            matrix = fit_error_matrix(*records, axes, angle_noise=1e-9, axis_error=1.0).error_matrix
+            fit = fit_error_matrix(*records, axes, angle_noise=1e-12, axis_error=size)
+            matrix = fit.error_matrix
             return np.abs(matrix + sign * matrix.T).max()
 
         return error
@@ -322,17 +323,37 @@ def test_the_price_of_an_error_of_the_axes(axes, turns, orders):
 
 @pytest.mark.parametrize("axes", [np.eye(3), SIX_AXES])
 @pytest.mark.parametrize(("noise", "axis"), [(2e-5, 0.0), (2e-5, 3e-6), (1e-6, 1e-4)])
-def test_the_covariance_of_all_nine_is_that_of_many_calibrations(axes, noise, axis):
+@pytest.mark.parametrize("largest", [0.0, 1e-4, 0.01])
+def test_the_covariance_of_all_nine_is_that_of_many_calibrations(axes, noise, axis, largest):
     rng, count = np.random.default_rng(5), 2000
+    triad = rng.uniform(-largest, largest, (3, 3))
     true = axes + np.cross(axes, rng.normal(0, axis, (count, len(axes), 3)))
+    true /= np.linalg.norm(true, axis=-1, keepdims=True)
+    true = true @ (np.eye(3) + triad).T
     both = 2 * np.pi * np.array([true, -true]) + rng.normal(0, noise, (2, *true.shape))
     fit = fit_error_matrix(*both, axes, angle_noise=noise, axis_error=axis)
-    errors = fit.error_matrix.reshape(count, 9)
+    errors = (fit.error_matrix - triad).reshape(count, 9)
     # Chi-square of nine: mean 9, variance 18; and each variance. Five standard deviations.
-    squares = np.einsum("ni,ij,nj->n", errors, np.linalg.inv(fit.covariance), errors)
+    squares = np.einsum("ni,nij,nj->n", errors, np.linalg.inv(fit.covariance), errors)
     assert squares.mean() == pytest.approx(9, abs=5 * np.sqrt(18 / count))
-    ratio = errors.var(axis=0) / np.diag(fit.covariance)
+    ratio = (errors**2).mean(axis=0) / fit.covariance.mean(axis=0).diagonal()
     np.testing.assert_allclose(ratio, 1, atol=5 * np.sqrt(2 / count))
+
+
+@pytest.mark.parametrize("axes", [np.eye(3), SIX_AXES])
+@pytest.mark.parametrize("largest", [0.0, 0.01])
+def test_without_noise_the_second_order_is_allowed_for(axes, largest):
+    """The covariance is cautious then: at most 9 for the nine, and no less than a third of it."""
+    rng, count = np.random.default_rng(6), 2000
+    triad = rng.uniform(-largest, largest, (3, 3))
+    true = axes + np.cross(axes, rng.normal(0, 1e-3, (count, len(axes), 3)))
+    true /= np.linalg.norm(true, axis=-1, keepdims=True)
+    whole = 2 * np.pi * true @ (np.eye(3) + triad).T
+    fit = fit_error_matrix(whole, -whole, axes, angle_noise=1e-12, axis_error=1e-3)
+    errors = (fit.error_matrix - triad).reshape(count, 9)
+    squares = np.einsum("ni,nij,nj->n", errors, np.linalg.inv(fit.covariance), errors)
+    assert 3 < squares.mean() < 9 + 5 * np.sqrt(18 / count)
+    assert ((errors**2).mean(axis=0) < 1.2 * fit.covariance.mean(axis=0).diagonal()).all()
 
 
 def test_larins_number_is_the_part_along_the_axis():

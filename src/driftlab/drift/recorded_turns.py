@@ -116,7 +116,7 @@ class ErrorMatrixFit(NamedTuple):
     ----------
     error_matrix : ndarray, shape (..., 3, 3)
         M, without unit: scale-factor errors on the diagonal, cross-coupling beside it.
-    covariance : ndarray, shape (9, 9)
+    covariance : ndarray, shape (..., 9, 9)
         Covariance of the nine entries, row by row.
     residuals : ndarray, shape (..., m, 3)
         Each half difference minus what M makes of its axis, without unit.
@@ -183,13 +183,16 @@ def fit_error_matrix(
     exactly. Three axes give all nine entries. With ramps it remains exact if the second half of the
     turn mirrors the first.
 
-    An axis that is off by a small vector e across n adds :math:`A e`. It changes :math:`n^T M n` by
-    :math:`n^T M e - e^T e/2` only, which is of second order, but :math:`M n` across n to first
-    order. A body that sits turned in its fixture moves all axes alike and changes only the skew
-    part to first order. Errors that differ from axis to axis spare the symmetric part only if six
-    axes determine it by what is measured along them. `covariance` contains noise and axis errors to
-    first order, the axis errors independent of each other. See Larin (3.3) for
-    :math:`n^T \Sigma n`, the part along the axis.
+    An axis that is off by a small vector e adds :math:`A e`. Along :math:`u = A^{-T} n` this is
+    :math:`u^T A e = n^T e = -e^T e/2`, because the true axis has unit length as well; across u it
+    is of first order. A body that sits turned in its fixture moves
+    all axes alike and, for small M, changes only the skew part to first order. Errors that differ
+    from axis to axis spare the symmetric part only if six axes determine it by what is measured
+    along u. Each axis is weighted by the inverse of its covariance,
+    :math:`(s^2 + 4 a^4) I + a^2 A (I - n n^T) A^T`, where s is the noise of half a difference, a is
+    `axis_error`, and A comes from a fit without weights; `covariance` follows from it, for axis
+    errors that are independent of each other. See Larin (3.3) for :math:`n^T \Sigma n`, the part
+    along the axis.
 
     Examples
     --------
@@ -215,23 +218,29 @@ def fit_error_matrix(
     count = whole_number(turns, "turns")
     scale = 2 * np.pi * count
     # One sum has the noise of a white sequence; half of a difference of two has 1/sqrt(2) of it.
+    uncertain = nonnegative_number(axis_error, "axis_error")
+    # At second order an error e counts along the axis by -|e|^2/2, with an rms of sqrt(2) a^2, and
+    # by its product with the error of u, which is as large at most.
     noise = positive_number(angle_noise, "angle_noise") / (np.sqrt(2) * scale)
-    across = noise / np.hypot(noise, nonnegative_number(axis_error, "axis_error"))
+    noise = np.hypot(noise, 2 * uncertain**2)
     there, back = (
         _sums(value, name, n, sense * count)
         for value, name, sense in ((forward, "forward", 1), (backward, "backward", -1))
     )
     finite_arrays(forward=(there, *there.shape[-2:]), backward=(back, *back.shape[-2:]))
     found = (there - back) / (2 * scale) - n
-    # Each axis gives three equations; those across it count less if the axis is uncertain.
-    along = n[:, :, np.newaxis] * n[:, np.newaxis, :]
-    weights = along + across * (np.eye(3) - along)
-    design = np.einsum("mij,mk->mijk", weights, n).reshape(-1, 9)
-    inverse = np.linalg.pinv(design)
-    weighted = np.einsum("mij,...mj->...mi", weights, found)
-    matrix = (weighted.reshape(*found.shape[:-2], -1) @ inverse.T).reshape(*found.shape[:-2], 3, 3)
+    # Each axis gives three equations; what an error of the axis reaches counts less.
+    unweighted = np.swapaxes(np.linalg.pinv(n) @ found, -1, -2)
+    across = np.eye(3) - n[:, :, np.newaxis] * n[:, np.newaxis, :]
+    basis, sizes, _ = np.linalg.svd((np.eye(3) + unweighted)[..., np.newaxis, :, :] @ across)
+    weights = np.swapaxes(basis / np.hypot(noise, uncertain * sizes)[..., np.newaxis, :], -1, -2)
+    design = np.einsum("...mij,mk->...mijk", weights, n)
+    inverse = np.linalg.pinv(design.reshape(*design.shape[:-4], -1, 9))
+    weighted = np.einsum("...mij,...mj->...mi", weights, found)
+    entries = np.einsum("...ij,...j->...i", inverse, weighted.reshape(*found.shape[:-2], -1))
+    matrix = entries.reshape(*found.shape[:-2], 3, 3)
     residuals = found - np.einsum("...ij,mj->...mi", matrix, n)
-    return ErrorMatrixFit(matrix, noise**2 * inverse @ inverse.T, residuals)
+    return ErrorMatrixFit(matrix, inverse @ np.swapaxes(inverse, -1, -2), residuals)
 
 
 def _sums(value: ArrayLike, name: str, n: FloatArray, count: int) -> FloatArray:

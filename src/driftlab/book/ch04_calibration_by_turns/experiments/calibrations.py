@@ -105,7 +105,7 @@ def turn_estimates(
     )
     fit = fit_error_matrix(
         forward, backward, axes, turning.turns,
-        angle_noise=max(noise, 1e-9), axis_error=uncertain,  # no less than rounding
+        angle_noise=max(noise, 1e-9), axis_error=uncertain,  # not below rounding
     )  # fmt: skip
     weights = nine_of(np.eye(9).reshape(9, 3, 3)).T
     spread = np.sqrt(((weights @ fit.covariance) * weights).sum(axis=-1))
