@@ -115,6 +115,11 @@ def test_one_exchange_of_two_whole_numbers_fits_but_only_by_two_rules():
     (exchanged,) = fits.values()
     assert not any(is_consistent(exchanged, rule) for rule in (ROUND_DOWN, ROUND_HALF_EVEN))
     assert max(sum(agreement(one.values, exchanged)) for one in candidates()) == 5
+    # And if only the digits of sigma1* and sigma4* changed places, not the powers of ten?
+    digits = "0.165e-7", *IN_THE_COPY[1:3], "-0.216e-5", *IN_THE_COPY[4:]
+    assert is_consistent(digits, ROUND_DOWN)
+    assert is_consistent(digits, ROUND_HALF_EVEN)
+    assert max(sum(agreement(one.values, digits)) for one in candidates()) == 5
 
 
 def test_if_digits_were_cut_off_the_minus_sign_is_the_only_slip():
