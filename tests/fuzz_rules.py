@@ -36,7 +36,6 @@ ALSO_TOLD = {
     "navigate_static": ("increments",),
     "static_error_sources": ("increments",),
     "simulate_gyrocompass": ("increments", "gains"),
-    "turntable_heading_error": ("angular_rate",),
     # A log is called by its name.
     "read_csv": ("phone: gyro",),
     "from_dataframe": ("recording: gyro",),

@@ -8,7 +8,6 @@ from . import (
     noise as noise,
     noise_fit as noise_fit,
     simulation as simulation,
-    trials as trials,
     two_position_alignment as two_position_alignment,
     type_test as type_test,
 )
@@ -50,11 +49,6 @@ from .noise_fit import (
 )
 from .simulation import (
     simulate_gyrocompass as simulate_gyrocompass,
-)
-from .trials import (
-    largest_range_over_standard_deviation as largest_range_over_standard_deviation,
-    range_over_standard_deviation as range_over_standard_deviation,
-    turntable_heading_error as turntable_heading_error,
 )
 from .two_position_alignment import (
     align_multi_position as align_multi_position,

@@ -9,8 +9,10 @@ from scipy.stats import beta, binom, chi, kstest
 from driftlab.book.ch09_aligning_a_gyrocompass import experiments as alignments
 from driftlab.book.ch10_gyrocompass_at_work import experiments as at_work
 from driftlab.book.ch10_gyrocompass_at_work.experiments import dial, restarts, settling
+from driftlab.book.ch10_gyrocompass_at_work.experiments.trials import (
+    largest_range_over_standard_deviation,
+)
 from driftlab.book.machinery.figure.publish import PublishedFigure
-from driftlab.gyrocompass.trials import largest_range_over_standard_deviation
 from published import published
 from saratov import GRAVITY, HOURLY, LEVEL_RATE, SCHULER
 from support import EPS, chi_bounds, largest, range_distribution

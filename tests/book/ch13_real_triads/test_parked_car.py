@@ -6,10 +6,10 @@ from scipy.constants import degree, hour
 from scipy.stats import chi2, f, pearsonr
 
 from driftlab.book.ch10_gyrocompass_at_work.experiments import PAPER_DEVIATION, PAPER_SPREAD
+from driftlab.book.ch10_gyrocompass_at_work.experiments.trials import range_over_standard_deviation
 from driftlab.book.ch13_real_triads.experiments.parked_car import HEADER, spread
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.earth import EARTH_RATE
-from driftlab.gyrocompass.trials import range_over_standard_deviation
 from driftlab.vectors import wrap_angle
 from published import kept_table, published
 from support import recording_or_skip

@@ -5,11 +5,11 @@ from functools import cache
 import numpy as np
 from scipy.constants import degree, hour
 
+from driftlab.book.ch10_gyrocompass_at_work.experiments.trials import range_over_standard_deviation
 from driftlab.book.machinery.exercise.answers import Value
 from driftlab.book.machinery.exercise.exercise import Exercise
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
-from driftlab.gyrocompass.trials import range_over_standard_deviation
 from driftlab.gyrocompass.type_test import LIMITS
 
 from ..experiments import RESTARTS, TRIALS

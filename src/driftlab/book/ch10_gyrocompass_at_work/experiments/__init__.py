@@ -27,6 +27,11 @@ from .restarts import (
 )
 from .settling import settling_and_swing as settling_and_swing
 from .ship import ship_with_compass as ship_with_compass
+from .trials import (
+    largest_range_over_standard_deviation as largest_range_over_standard_deviation,
+    range_over_standard_deviation as range_over_standard_deviation,
+    turntable_heading_error as turntable_heading_error,
+)
 from .type_tests import (
     HIGH as HIGH,
     LOW as LOW,

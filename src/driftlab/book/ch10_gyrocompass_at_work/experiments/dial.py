@@ -11,8 +11,9 @@ from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, finite_array, whole_number
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors
-from driftlab.gyrocompass.trials import turntable_heading_error
 from driftlab.quaternion import rotate
+
+from .trials import turntable_heading_error
 
 DIAL: FloatArray = np.radians(np.arange(0.0, 361.0, 15.0))
 """Stops of the table in heading and in roll, rad."""

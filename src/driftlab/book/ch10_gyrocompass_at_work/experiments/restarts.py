@@ -8,11 +8,12 @@ from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, whole_number
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.noise import GyroNoise
-from driftlab.gyrocompass.trials import (
+from driftlab.motion.vehicle import static_imu
+
+from .trials import (
     largest_range_over_standard_deviation,
     range_over_standard_deviation,
 )
-from driftlab.motion.vehicle import static_imu
 
 RESTARTS = 26
 """The paper's."""

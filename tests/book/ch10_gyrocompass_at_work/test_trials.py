@@ -9,14 +9,14 @@ from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
 from scipy.stats import beta, binom, chi, kstest
 
-from driftlab.earth import EARTH_RATE, gravity
-from driftlab.frames import from_euler_angles
-from driftlab.gyrocompass.alignment import alignment_errors
-from driftlab.gyrocompass.trials import (
+from driftlab.book.ch10_gyrocompass_at_work.experiments.trials import (
     largest_range_over_standard_deviation,
     range_over_standard_deviation,
     turntable_heading_error,
 )
+from driftlab.earth import EARTH_RATE, gravity
+from driftlab.frames import from_euler_angles
+from driftlab.gyrocompass.alignment import alignment_errors
 from driftlab.quaternion import rotate
 from support import EPS, order_of, range_distribution
 

@@ -12,9 +12,8 @@ from driftlab.checks import FloatArray, finite_array, finite_arrays, whole_numbe
 from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.core.vectors import wrap_angle
 from driftlab.frames import from_euler_angles
+from driftlab.gyrocompass.alignment import align
 from driftlab.motion.vehicle import static_imu
-
-from .alignment import align
 
 
 def turntable_heading_error(
