@@ -48,17 +48,17 @@ def nine(triad, axes, true, turns, deviations, rng):
         for sense in (1, -1)
     ]
     found = (sums[0] - sums[1]) / (4 * np.pi * turns) - axes
-    noise = max(noise, 1e-9) / (np.sqrt(8) * np.pi * turns)
-    rows, sides = [], []
+    # Generalised least squares by normal equations; the triad from an unweighted fit.
+    noise = np.hypot(max(noise, 1e-9) / (np.sqrt(8) * np.pi * turns), 2 * uncertain**2)
+    triad_found = np.eye(3) + np.linalg.lstsq(axes, found)[0].T
+    normal, right = np.zeros((9, 9)), np.zeros(9)
     for n, half in zip(axes, found, strict=True):
-        frame = np.linalg.svd(n[None])[2]  # the axis, and two directions across it
-        for place, side in enumerate(frame):
-            size = np.hypot(noise, uncertain) if place else noise
-            rows.append(np.kron(side, n) / size)
-            sides.append(side @ half / size)
-    design = np.array(rows)
-    matrix = np.linalg.lstsq(design, np.array(sides))[0].reshape(3, 3) - triad
-    covariance = np.linalg.inv(design.T @ design)
+        reach = uncertain * triad_found @ (np.eye(3) - np.outer(n, n))
+        inverse = np.linalg.inv(np.eye(3) + reach @ reach.T / noise**2) / noise**2
+        normal += np.kron(inverse, np.outer(n, n))
+        right += np.kron(inverse @ half, n)
+    covariance = np.linalg.inv(normal)
+    matrix = (covariance @ right).reshape(3, 3) - triad
     places = [((i, i), (i, i), 1) for i in range(3)]
     places += [((i, j), (j, i), 1) for i, j in ((0, 1), (0, 2), (1, 2))]
     places += [((i, j), (j, i), -1) for i, j in ((2, 1), (0, 2), (1, 0))]

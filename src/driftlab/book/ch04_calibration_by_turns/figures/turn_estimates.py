@@ -47,9 +47,8 @@ class TurnEstimatesPicture(Picture):
         self.curve(nine, range(9), "nine_error", **dot, label="one run")
         self.curve(nine, range(9), "nine_spread", **edge, label="± one standard deviation")
         self.curve(nine, range(9), "-nine_spread", **edge, label="_the same below")
-        room = {"below": 17.0} if paper else {}
-        for axes in (sigmas, nine):
-            legend_above(axes, 2, handlelength=2.8, **room)
+        legend_above(sigmas, 2, handlelength=2.8)
+        legend_above(nine, 2, handlelength=2.8)
 
     def update(self, table: DataTable) -> None:
         self.show(table)
@@ -57,5 +56,6 @@ class TurnEstimatesPicture(Picture):
         spread = np.linspace(-0.25, 0.25, count) if count > 1 else np.zeros(1)
         self.runs.set_xdata((np.arange(3) + spread[:, np.newaxis]).ravel())
         self.set_reach(self.sigmas_axes, "y", 1.1 * table.shown("error"))
-        nine = np.append(table.shown("nine_error"), table.shown("nine_spread"))
+        # Rounding alone needs no finer axis than this, in arc seconds.
+        nine = np.concatenate([table.shown("nine_error"), table.shown("nine_spread"), [0.01]])
         self.set_reach(self.nine_axes, "y", 1.1 * nine)
