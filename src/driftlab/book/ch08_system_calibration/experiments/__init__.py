@@ -43,6 +43,7 @@ from .neglected_terms import (
     error_equations as error_equations,
     neglected as neglected,
     neglected_terms as neglected_terms,
+    on_the_computed_path as on_the_computed_path,
 )
 from .reference_velocity import (
     TWELVE_TURNS as TWELVE_TURNS,

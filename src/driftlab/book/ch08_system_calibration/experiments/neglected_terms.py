@@ -5,7 +5,7 @@ squared errors. It depends on where the equations are linearised, and on which t
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from typing import NamedTuple
 
@@ -43,6 +43,7 @@ from driftlab.quaternion import from_rotation_vector, multiply
 from driftlab.strapdown import ALGORITHM, Navigation, final_state, stationary_state
 
 from .consistency import QUICK_TRIAL, quick_trial
+from .designed_schemes import STANDING
 from .verdicts import verdict
 
 UNITS = 600
@@ -61,7 +62,9 @@ WAYS = (
 """Then the filters, by where they are linearised: the first two about the table's path."""
 RIVALS = BODY_FRAMES[1:]
 """Choices of axes with which the averaged ones, the first, are compared."""
-COMPARISONS = len(SCHEMES) * len(MOUNTINGS) * len(RIVALS) * len(WAYS)
+FILTERS = len(WAYS) - len(EQUATIONS)
+COMPARISONS = len(SCHEMES) * len(RIVALS) * (len(MOUNTINGS) * len(WAYS) + FILTERS)
+"""The filters are tried a second time, on a table that stands, with both triads built alike."""
 STEP = 12
 """Increments in a step of the error equations, 3 s; longer steps have errors of their own."""
 
@@ -73,7 +76,7 @@ def neglected_terms(
     dwell: float = QUICK_TRIAL.scheme.dwell,
     seed: int = SEED,
 ) -> DataTable:
-    """Run the whole study: some five minutes.
+    """Run the whole study: some eight minutes.
 
     The installation errors of the triad that is built worse have the `spread`, rad, and are so many
     times (`ratio`) as large as those of the other.
@@ -81,16 +84,17 @@ def neglected_terms(
     units = whole_number(units, "units", least=2)
     worse, ratio = positive_number(spread, "spread"), positive_number(ratio, "ratio")
     better = worse / ratio
+    loose = QUICK_TRIAL.noise.reference_velocity
+    cases = [(worse, better, loose), (worse, worse, loose), (better, worse, loose)]
     found = []
     for scheme in SCHEMES:
-        for triads in ((worse, better), (worse, worse), (better, worse)):
-            task = partial(neglected, scheme, *triads, dwell)
+        for case in (*cases, (worse, worse, STANDING)):
+            task = partial(neglected, scheme, *case, dwell)
             found.append(run_batches(task, units, seed=seed, batch_size=BATCH))
-    shape = len(SCHEMES), len(MOUNTINGS), len(BODY_FRAMES), len(WAYS), units
-    left = np.concatenate(list(zip(*found, strict=True)), axis=-1).reshape(shape)
-    ratios = left[:, :, :1] / left[:, :, 1:]
-    verdicts = [verdict(each, 1 - 0.05 / COMPARISONS) for each in ratios.reshape(-1, units)]
-    parts = np.transpose([each.part for each in verdicts]).reshape(3, *ratios.shape[:-1])
+    shape = len(SCHEMES), len(cases) + 1, len(BODY_FRAMES), len(WAYS), units
+    every = np.concatenate(list(zip(*found, strict=True)), axis=-1).reshape(shape)
+    left, still = every[:, :-1], every[:, -1, :, len(EQUATIONS) :]
+    counts, still_counts = _counted(left), _counted(still)
     of_axes, of_rivals = (([*SCHEMES], MOUNTINGS, axes) for axes in (BODY_FRAMES, RIVALS))
     means = left.mean(axis=-1), left[..., :BATCH].mean(axis=-1)
     return DataTable(
@@ -100,18 +104,37 @@ def neglected_terms(
                 "velocity (m/s) and attitude (rad), root mean square over time; of filters, "
                 "squared errors of the 27 states over what they state", of_axes),
             "size_of_first": (means[1], "", f"the same mean, first {BATCH} units", of_axes),
-            "better": ((ratios < 1).sum(axis=-1), "",
+            "better": (counts[0], "",
                 "units in which averaged axes leave out less than the rival", of_rivals),
-            "part": (parts[0], "", "the same, part of the units", of_rivals),
-            "part_low": (parts[1], "", f"95 % interval for all {COMPARISONS} together", of_rivals),
-            "part_high": (parts[2], "", "likewise", of_rivals),
+            "part": (counts[1], "", "the same, part of the units", of_rivals),
+            "part_low": (counts[2], "", f"95 % interval for all {COMPARISONS} together", of_rivals),
+            "part_high": (counts[3], "", "likewise", of_rivals),
+            "filter": (WAYS[len(EQUATIONS) :], "", "on a table that stands, triads built alike"),
+            "still_size": (still.mean(axis=-1), "", "as `size`", ([*SCHEMES], BODY_FRAMES)),
+            "still_better": (still_counts[0], "", "as `better`", ([*SCHEMES], RIVALS)),
+            "still_low": (still_counts[2], "", "as `part_low`", ([*SCHEMES], RIVALS)),
+            "still_high": (still_counts[3], "", "as `part_high`", ([*SCHEMES], RIVALS)),
         },
         {
             "units": (units, "", "units in each case"),
             "spread": (worse, "arcsec", "spread of the installation errors, triad built worse"),
             "ratio": (ratio, "", "times those of the triad built better"),
+            "reference_velocity": (np.array([loose, STANDING]), "mm_per_s",
+                "that of the filters, and that of the table that stands"),
         },
     )  # fmt: skip
+
+
+def _counted(left: FloatArray) -> FloatArray:
+    """How often averaged axes leave out less than each rival, and `part`, low and high (4, ...).
+
+    Of what is left out (..., axes, ways, units).
+    """
+    ratios = left[..., :1, :, :] / left[..., 1:, :, :]
+    units = ratios.shape[-1]
+    verdicts = [verdict(each, 1 - 0.05 / COMPARISONS) for each in ratios.reshape(-1, units)]
+    rows = np.transpose([(each.better, *each.part) for each in verdicts])
+    return rows.reshape(4, *ratios.shape[:-1])
 
 
 class Record(NamedTuple):
@@ -129,12 +152,14 @@ def neglected(
     scheme: str,
     gyros: float,
     accelerometers: float,
+    reference_velocity: float,
     dwell: float,
     rng: np.random.Generator,
     size: int,
 ) -> FloatArray:
     """What is neglected in random units, (axes, ways, units); spreads of installation in rad."""
     trial = quick_trial(scheme, gyros / arcsecond, dwell)
+    trial = replace(trial, noise=replace(trial.noise, reference_velocity=reference_velocity))
     unit = random_imu_errors(trial.prior, rng, size)
     built = np.where(np.eye(3), 1.0, accelerometers / gyros)
     unit = unit._replace(accelerometer_error_matrix=built * unit.accelerometer_error_matrix)
@@ -167,28 +192,89 @@ def error_equations(true: Trajectory, unit: ImuErrors, latitude: float) -> Itera
     On its own path the computer starts with the true attitude of its axes, on the table's with that
     of the table.
     """
-    in_axes, turns = zip(*(imu_errors_in_frame(unit, frame) for frame in BODY_FRAMES), strict=True)
-    turn, errors = np.stack(turns), np.stack([FULL.state(each) for each in in_axes])
-    measured, interval = measure(true.increments, unit), true.increments.interval
+    in_axes, turns, axes = _in_all_axes(unit)
+    errors, measured = (
+        np.stack([FULL.state(each) for each in in_axes]),
+        measure(true.increments, unit),
+    )
+    for turn, back in ((axes, turns.mT), (np.array([0.0, 0.0, 0.0, 1.0]), np.eye(3))):
+        nodes = multiply(true.attitude, turn[..., np.newaxis, :])
+        interval, *rows = true.increments
+        along = Increments(interval, *(row @ back for row in rows))
+        yield from _left_out(true, measured, axes, errors, nodes, along, latitude)
+
+
+def on_the_computed_path(
+    true: Trajectory, unit: ImuErrors, latitude: float, *, corrections: bool
+) -> Iterator[FloatArray]:
+    """The same about the path that the computer finds from the table's attitude: measured rates.
+
+    The errors are K and L times what is measured, or, as `corrections`, what takes the measured
+    vector to the true one, :math:`I - (I + K)^{-1}`.
+    """
+    in_axes, _, axes = _in_all_axes(unit)
+    if corrections:
+        in_axes = [_corrections(each) for each in in_axes]
+    errors, measured = (
+        np.stack([FULL.state(each) for each in in_axes]),
+        measure(true.increments, unit),
+    )
+    begin = stationary_state(latitude, np.broadcast_to(true.attitude[0], axes.shape))
+    nodes = np.empty((*axes.shape[:-1], len(true.attitude), 4))
+    nodes[..., 0, :], now = true.attitude[0], begin
+    for end in range(2, nodes.shape[-2], 2):
+        now = _navigated(now, begin, measured.part(end - 2, end))
+        nodes[..., end, :] = now.attitude
+    yield from _left_out(true, measured, axes, errors, nodes, measured, latitude)
+
+
+def _in_all_axes(unit: ImuErrors) -> tuple[list[ImuErrors], FloatArray, FloatArray]:
+    """Errors of units in each choice of axes, turns of these (axes, units, 3, 3) and attitudes."""
+    in_axes, each = zip(*(imu_errors_in_frame(unit, frame) for frame in BODY_FRAMES), strict=True)
+    turns = np.stack(each)
+    return list(in_axes), turns, attitude_of_axes([0, 0, 0, 1], turns)
+
+
+def _corrections(unit: ImuErrors) -> ImuErrors:
+    """The same errors, as they act on what is measured."""
+    gyros, accelerometers = (
+        np.linalg.inv(np.eye(3) + matrix)
+        for matrix in (unit.gyro_error_matrix, unit.accelerometer_error_matrix)
+    )
+    return ImuErrors(
+        (gyros @ unit.gyro_bias[..., np.newaxis])[..., 0],
+        np.eye(3) - gyros,
+        (accelerometers @ unit.accelerometer_bias[..., np.newaxis])[..., 0],
+        np.eye(3) - accelerometers,
+    )
+
+
+def _left_out(
+    true: Trajectory,
+    measured: Increments,
+    axes: FloatArray,
+    errors: FloatArray,
+    nodes: FloatArray,
+    along: Increments,
+    latitude: float,
+) -> FloatArray:
+    """What the equations along `nodes` and increments leave out of velocity and attitude."""
+    begin, interval = nodes[..., 0, :], true.increments.interval
     free = free_transition(latitude, STEP * interval)
-    axes = attitude_of_axes([0, 0, 0, 1], turn)
-    for path_turn, back in ((axes, turn.mT), (np.array([0.0, 0.0, 0.0, 1.0]), np.eye(3))):
-        start = multiply(true.attitude[0], path_turn)
-        now = home = stationary_state(latitude, start)
-        state = errors.copy()
-        state[..., :3] = attitude_error(start, multiply(true.attitude[0], axes))
-        squares = []
-        for begin in range(0, len(true.increments.angle), STEP):
-            end = begin + STEP
-            now = _navigated(now, home, measured.part(begin, end))
-            nodes = multiply(true.attitude[begin : end + 1 : 2], path_turn[..., np.newaxis, :])
-            _, *rows = true.increments.part(begin, end)
-            along = Increments(interval, *(row @ back for row in rows))
-            growth = transition_of_increments(FULL, free, nodes, along)
-            state = (growth @ state[..., np.newaxis])[..., 0]
-            off = attitude_error(now.attitude, multiply(true.attitude[end], axes))
-            squares.append([(now.velocity - state[..., 3:6]) ** 2, (off - state[..., :3]) ** 2])
-        yield from np.sqrt(np.sum(squares, axis=-1).mean(axis=0))
+    now = home = stationary_state(latitude, np.broadcast_to(begin, axes.shape))
+    state = errors.copy()
+    state[..., :3] = attitude_error(begin, multiply(true.attitude[0], axes))
+    squares = []
+    for first in range(0, len(true.increments.angle), STEP):
+        last = first + STEP
+        now = _navigated(now, home, measured.part(first, last))
+        here = nodes[..., first : last + 1 : 2, :]
+        growth = transition_of_increments(FULL, free, here, along.part(first, last))
+        state = (growth @ state[..., np.newaxis])[..., 0]
+        off = attitude_error(now.attitude, multiply(true.attitude[last], axes))
+        squares.append([(now.velocity - state[..., 3:6]) ** 2, (off - state[..., :3]) ** 2])
+    found: FloatArray = np.sqrt(np.sum(squares, axis=-1).mean(axis=0))
+    return found
 
 
 def _navigated(now: Navigation, home: Navigation, part: Increments) -> Navigation:
