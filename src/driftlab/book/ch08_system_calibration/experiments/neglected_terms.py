@@ -185,6 +185,13 @@ def neglected(
     return np.concatenate([equations, filtered], axis=1)
 
 
+class Path(NamedTuple):
+    """About what the error equations are linearised."""
+
+    attitudes: FloatArray  # (..., n + 1, 4); only each second one is used
+    increments: Increments  # (..., n, 3)
+
+
 def error_equations(true: Trajectory, unit: ImuErrors, latitude: float) -> Iterator[FloatArray]:
     """What the error equations leave out of `EQUATIONS` (axes, units), m/s and rad.
 
@@ -201,7 +208,7 @@ def error_equations(true: Trajectory, unit: ImuErrors, latitude: float) -> Itera
         nodes = multiply(true.attitude, turn[..., np.newaxis, :])
         interval, *rows = true.increments
         along = Increments(interval, *(row @ back for row in rows))
-        yield from _left_out(true, measured, axes, errors, nodes, along, latitude)
+        yield from _left_out(true, measured, axes, errors, Path(nodes, along), latitude)
 
 
 def on_the_computed_path(
@@ -225,7 +232,7 @@ def on_the_computed_path(
     for end in range(2, nodes.shape[-2], 2):
         now = _navigated(now, begin, measured.part(end - 2, end))
         nodes[..., end, :] = now.attitude
-    yield from _left_out(true, measured, axes, errors, nodes, measured, latitude)
+    yield from _left_out(true, measured, axes, errors, Path(nodes, measured), latitude)
 
 
 def _in_all_axes(unit: ImuErrors) -> tuple[list[ImuErrors], FloatArray, FloatArray]:
@@ -254,11 +261,11 @@ def _left_out(
     measured: Increments,
     axes: FloatArray,
     errors: FloatArray,
-    nodes: FloatArray,
-    along: Increments,
+    path: Path,
     latitude: float,
 ) -> FloatArray:
-    """What the equations along `nodes` and increments leave out of velocity and attitude."""
+    """What the equations along a path leave out of velocity and attitude."""
+    nodes, along = path
     begin, interval = nodes[..., 0, :], true.increments.interval
     free = free_transition(latitude, STEP * interval)
     now = home = stationary_state(latitude, np.broadcast_to(begin, axes.shape))
