@@ -1,4 +1,4 @@
-"""What hangs on the reference velocity, for tables that stand more or less still."""
+"""Results that depend on the reference velocity, for tables that stand more or less still."""
 
 from collections.abc import Sequence
 
