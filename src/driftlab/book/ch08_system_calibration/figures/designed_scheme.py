@@ -17,7 +17,7 @@ DESIGNS = {BEST: "designed, worst", MEAN: "designed, mean", LOOSE: "designed, fo
 
 
 def caption(table: DataTable) -> str:
-    """Say how good the rows are."""
+    """Say how good the sequences are."""
     here = np.abs(table.reference_velocity / STANDING - 1).argmin()
     standing, moving = (
         [f"{left[i]:.2%}" for left in table.least_known.values()] for i in (here, -1)
@@ -25,15 +25,15 @@ def caption(table: DataTable) -> str:
     turns = len(table.rotations[table.name.index(BEST)].split())
     velocity = f"{STANDING / milli:g}"
     return (
-        f"Rows of {turns} quarter and half turns on two axes, all in the time of the nineteen "
+        f"Sequences of {turns} quarter and half turns on two axes, all in the time of the nineteen "
         f"positions. Left: a table that stands, reference velocity {velocity} mm/s. Deviations of "
-        "the sensor errors over those after the nineteen positions, after rows designed for the "
-        "worst and for the mean of them; bars, nine in ten of "
-        f"{rows_of(table, 'random').size} random rows; hollow, errors of {table.units} simulated "
-        "units after the row for the mean over those of the same units after the nineteen "
-        "positions, with standard errors. Right: how much of what was unknown before is left of "
-        "the sensor error that is known worst, for other reference velocities. After nineteen "
-        "positions, eighteen rotations, and the rows designed for a table that stands and for "
+        "the sensor errors over those after the nineteen positions, after sequences designed for "
+        "the worst and for the mean of them; bars, nine in ten of "
+        f"{rows_of(table, 'random').size} random sequences; hollow, errors of {table.units} "
+        "simulated units after the sequence for the mean over those of the same units after the "
+        "nineteen positions, with standard errors. Right: how much of what was unknown before is "
+        "left of the sensor error that is known worst, for other reference velocities. After nineteen "
+        "positions, eighteen rotations, and the sequences designed for a table that stands and for "
         f"1 cm/s it is {', '.join(standing)} at {velocity} mm/s, and {', '.join(moving)} at 1 cm/s."
     )
 
@@ -58,10 +58,10 @@ def draw(drawing: Drawing) -> None:
     errors.axhline(1.0, color=BLACK, linewidth=0.8, label=GUIDE)
     drawing.bar_chart(
         errors, places, "random_95_percent", begin="random_5_percent", width=0.8, color="#dcdcdc",
-        label="random rows, 90 %",
+        label="random, 90 %",
     )  # fmt: skip
     drawing.curve(errors, places, "random_median", color=GREY, marker="_", linestyle="none",
-                  label="random rows, median")  # fmt: skip
+                  label="random, median")  # fmt: skip
     for name, color, marker, beside in (
         (EIGHTEEN, VERMILION, "s", -0.25),
         (BEST, GREEN, "^", 0.25),

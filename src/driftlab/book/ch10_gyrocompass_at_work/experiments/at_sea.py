@@ -109,9 +109,10 @@ def settling_at_sea(
     """
     waves, angles = finite_array(periods, "periods"), finite_array(turns, "turns")
     times, swings = np.transpose([_settled(latitude, wave) for wave in waves.tolist()], (2, 1, 0))
-    rng, many = np.random.default_rng(seed), whole_number(units, "units", least=2)
+    many = whole_number(units, "units", least=2)
     ships = (ship_at_sea(latitude, (10.0, 10.0), 20 * minute, 0.02, turn) for turn in angles)
-    spread = np.transpose([spreads(ship, many, rng) for ship in ships])
+    # The same units at each turn.
+    spread = np.transpose([spreads(ship, many, np.random.default_rng(seed)) for ship in ships])
     ways, kinds = [*HORIZONS, "inertial"], ["inertial frame", "filter", "stated by the filter"]
     return DataTable(
         {
