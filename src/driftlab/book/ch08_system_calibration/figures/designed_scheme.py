@@ -32,8 +32,9 @@ def caption(table: DataTable) -> str:
         f"{rows_of(table, 'random').size} random sequences; hollow, errors of {table.units} "
         "simulated units after the sequence for the mean over those of the same units after the "
         "nineteen positions, with standard errors. Right: how much of what was unknown before is "
-        "left of the sensor error that is known worst, for other reference velocities. After nineteen "
-        "positions, eighteen rotations, and the sequences designed for a table that stands and for "
+        "left of the sensor error that is known worst, for other reference velocities. After "
+        "nineteen positions, eighteen rotations, and the sequences designed for a table that "
+        "stands and for "
         f"1 cm/s it is {', '.join(standing)} at {velocity} mm/s, and {', '.join(moving)} at 1 cm/s."
     )
 
