@@ -201,11 +201,18 @@ def test_on_a_table_that_stands_the_innovations_tell():
     assert (honest[3:] < 4.1 * MICRO_G).all()
 
 
-@pytest.mark.parametrize("scheme", SCHEMES.values(), ids=SCHEMES)
-@pytest.mark.parametrize(("time", "velocity"), [(300.0, 1e-2), (1000.0, 1e-4)])
-def test_a_quarter_of_the_stated_deviation_does_little_harm(scheme, time, velocity):
+@pytest.mark.parametrize(
+    ("name", "time", "velocity"),
+    [
+        ("18 rotations", 300.0, 1e-2),
+        ("19 positions", 1000.0, 1e-4),
+        pytest.param("19 positions", 300.0, 1e-2, marks=pytest.mark.long),
+        pytest.param("18 rotations", 1000.0, 1e-4, marks=pytest.mark.long),
+    ],
+)
+def test_a_quarter_of_the_stated_deviation_does_little_harm(name, time, velocity):
     white = ImuNoise(reference_velocity=velocity)
-    trial = replace(TRIAL, scheme=replace(scheme, dwell=TRIAL.scheme.dwell), noise=white)
+    trial = replace(TRIAL, scheme=replace(SCHEMES[name], dwell=TRIAL.scheme.dwell), noise=white)
     plain = trial.run(np.random.default_rng(1), 1)
     gyro, accelerometer = plain.calibration.standard_deviations[0, -1, BIASES].reshape(2, 3)
     quarter = replace(

@@ -63,8 +63,17 @@ def test_averaged_axes_leave_out_least_in_the_error_equations(figure: PublishedF
     assert (size.argmin(axis=1) == AVERAGED).all()
 
 
-@pytest.mark.parametrize("scheme", SCHEMES)
-@pytest.mark.parametrize(("degrees", "size"), [(-34, 400), (69, 200), (37.5, 100)])
+@pytest.mark.parametrize(
+    ("scheme", "degrees", "size"),
+    [
+        ("19 positions", -34, 400),
+        ("18 rotations", 69, 200),
+        ("19 positions", 37.5, 100),
+        *(pytest.param(*case, marks=pytest.mark.long) for case in (
+            ("18 rotations", -34, 400), ("19 positions", 69, 200), ("18 rotations", 37.5, 100),
+        )),
+    ],
+)  # fmt: skip
 def test_the_same_elsewhere_and_for_smaller_errors(scheme: str, degrees: float, size: int) -> None:
     unit = random_imu_errors(PriorStandardDeviations(installation=size * arcsecond), 5, 60)
     averaged, *rivals = on_the_table(scheme, unit, np.radians(degrees)).swapaxes(0, 1)
@@ -72,7 +81,9 @@ def test_the_same_elsewhere_and_for_smaller_errors(scheme: str, degrees: float, 
     assert ((averaged < rivals).sum(axis=-1) >= 40).all()
 
 
-@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize(
+    "scheme", ["18 rotations", pytest.param("19 positions", marks=pytest.mark.long)]
+)
 def test_about_the_computed_path_it_depends_on_what_is_called_an_error(scheme: str) -> None:
     unit = random_imu_errors(PriorStandardDeviations(installation=400 * arcsecond), 5, 60)
     true = turntable_trajectory(replace(SCHEMES[scheme], dwell=63.0), LATITUDE, 0.25,

@@ -229,9 +229,12 @@ def on_the_computed_path(
     begin = stationary_state(latitude, np.broadcast_to(true.attitude[0], axes.shape))
     nodes = np.empty((*axes.shape[:-1], len(true.attitude), 4))
     nodes[..., 0, :], now = true.attitude[0], begin
-    for end in range(2, nodes.shape[-2], 2):
-        now = _navigated(now, begin, measured.part(end - 2, end))
-        nodes[..., end, :] = now.attitude
+    for first in range(0, nodes.shape[-2] - 1, STEP):
+        part = measured.part(first, first + STEP)
+        way = loops.navigate(now, *part[1:], part.interval, ALGORITHM, calls=1000)
+        nodes[..., first + 2 : first + STEP + 1 : 2, :] = way.attitude
+        last = final_state(way)
+        now = begin._replace(velocity=last.velocity, attitude=last.attitude)
     yield from _left_out(true, measured, axes, errors, Path(nodes, measured), latitude)
 
 
