@@ -149,7 +149,13 @@ def test_a_design_counts_on_the_same_covariance():
     assert task.value(NINETEEN_POSITIONS) == pytest.approx(float(expected), rel=1e-6)
 
 
-@pytest.mark.parametrize(("noise", "passes"), [(VARYING, 1), (QUIET, 1), (IN_CHAPTER, 2)])
+@pytest.mark.parametrize(
+    ("noise", "passes"),
+    [
+        (VARYING, 1),
+        *(pytest.param(*case, marks=pytest.mark.slow) for case in ((QUIET, 1), (IN_CHAPTER, 2))),
+    ],
+)
 def test_a_filter_that_is_told_is_as_good_as_it_says(noise, passes):
     found = replace(TRIAL, noise=noise, passes=passes).run(np.random.default_rng(1), RUNS)
     low, high = bounds(27, RUNS)
@@ -165,6 +171,7 @@ def test_a_filter_that_is_told_is_as_good_as_it_says(noise, passes):
     np.testing.assert_allclose(stated, np.sqrt(expected.diagonal())[BIASES], rtol=0.05)
 
 
+@pytest.mark.slow
 def test_a_filter_of_constants_is_too_sure_and_its_innovations_hide_it():
     """What chapter 08 says of the trial, the noise and the filter of its own."""
     constants = replace(TRIAL, noise=IN_CHAPTER, assumed_noise=ImuNoise())
@@ -184,6 +191,7 @@ def test_a_filter_of_constants_is_too_sure_and_its_innovations_hide_it():
     assert (honest / stated)[:3].max() < 1.1
 
 
+@pytest.mark.slow
 def test_on_a_table_that_stands_the_innovations_tell():
     still = replace(IN_CHAPTER, reference_velocity=1e-4)
     constants = replace(TRIAL, noise=still, assumed_noise=ImuNoise(reference_velocity=1e-4))
@@ -201,6 +209,7 @@ def test_on_a_table_that_stands_the_innovations_tell():
     assert (honest[3:] < 4.1 * MICRO_G).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "time", "velocity"),
     [

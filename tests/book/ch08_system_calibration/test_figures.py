@@ -197,6 +197,7 @@ def test_a_design_is_good_for_its_own_noise_and_criterion(figure: PublishedFigur
     assert left[BEST][-1] > 1.5 * max(left[name][-1] for name in (nineteen, eighteen, LOOSE))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_on_a_table_that_stands_a_search_gains_in_the_mean_only(seed: int) -> None:
     """Other seeds than that of the figure, against the better of the two published schemes."""
@@ -210,6 +211,7 @@ def test_on_a_table_that_stands_a_search_gains_in_the_mean_only(seed: int) -> No
         assert low < found < high
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("velocity", "scheme"),
     [

@@ -26,6 +26,7 @@ from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import from_rotation_vector, to_matrix
 from published import published
 
+pytestmark = pytest.mark.slow
 LATITUDE = np.radians(37.5)
 AVERAGED, UPPER, LOWER, TRIANGLE, OTHER = range(5)
 """Places in `BODY_FRAMES`; a column of rivals lacks the first."""

@@ -11,6 +11,8 @@ from driftlab.gyrocompass import LIMITS, align, align_in_inertial_frame
 from driftlab.motion import vehicle_trajectory
 from published import published
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("periods", [(6, 6), (8.3, 8.3), (11, 11), (15, 15), (15, 6)])
 @pytest.mark.parametrize("latitude", np.radians([-70.0, -30.0, 0.0, 50.0, 70.0]).tolist())
