@@ -185,10 +185,11 @@ def fit_error_matrix(
 
     An axis that is off by a small vector e adds :math:`A e`. Along :math:`u = A^{-T} n` this is
     :math:`u^T A e = n^T e = -e^T e/2`, because the true axis has unit length as well; across u it
-    is of first order. A body that sits turned in its fixture moves
-    all axes alike and, for small M, changes only the skew part to first order. Errors that differ
-    from axis to axis spare the symmetric part only if six axes determine it by what is measured
-    along u. Each axis is weighted by the inverse of its covariance,
+    is of first order. A body that sits turned in its fixture moves all axes alike and, for small M,
+    changes only the skew part to first order. Errors that differ from axis to axis spare the
+    symmetric part only if six axes determine it by what is measured along u.
+
+    Each axis is weighted by the inverse of its covariance,
     :math:`(s^2 + 4 a^4) I + a^2 A (I - n n^T) A^T`, where s is the noise of half a difference, a is
     `axis_error`, and A comes from a fit without weights; `covariance` follows from it, for axis
     errors that are independent of each other. See Larin (3.3) for :math:`n^T \Sigma n`, the part
@@ -217,11 +218,11 @@ def fit_error_matrix(
         raise ValueError("axes: expected three that do not lie in one plane, got fewer.")
     count = whole_number(turns, "turns")
     scale = 2 * np.pi * count
-    # One sum has the noise of a white sequence; half of a difference of two has 1/sqrt(2) of it.
     uncertain = nonnegative_number(axis_error, "axis_error")
+    # The noise of two sums is independent; half of their difference has 1/sqrt(2) of it.
+    noise = positive_number(angle_noise, "angle_noise") / (np.sqrt(2) * scale)
     # At second order an error e counts along the axis by -|e|^2/2, with an rms of sqrt(2) a^2, and
     # by its product with the error of u, which is as large at most.
-    noise = positive_number(angle_noise, "angle_noise") / (np.sqrt(2) * scale)
     noise = np.hypot(noise, 2 * uncertain**2)
     there, back = (
         _sums(value, name, n, sense * count)
