@@ -1,8 +1,8 @@
 """How much memory and processor a class takes, measured with one kernel a student (Linux).
 
-python deployment/class_of_kernels.py 03:30 08:8
+python deployment/class_of_kernels.py 03:30 11:8
 
-starts thirty kernels with chapter 03 and, when they are done, eight with chapter 08. All cells of
+starts thirty kernels with chapter 03 and, when they are done, eight with chapter 11. All cells of
 a chapter wait in each kernel from the start, so this is a class that runs everything at the same
 moment. What panels and figures send is thrown away, as with a browser that is closed. Writes
 deployment/measured.md.

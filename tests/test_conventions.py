@@ -55,7 +55,7 @@ def test_every_definition_describes_the_same_computed_matrix(error, source, targ
 
 
 def test_error_of_part_one_becomes_that_of_part_three():
-    """Twice the vector part of Larin's quaternion, against the attitude error of chapter 07."""
+    """Twice the vector part of Larin's quaternion, against the attitude error of chapter 10."""
     rate, bent, time = np.array([0.3, -0.2, 0.5]), np.array([[0, 2, 1], [1, 0, 3], [2, 1, 0]]), 4.0
 
     def gap(size):

@@ -223,7 +223,7 @@ def test_identity_says_where_a_side_may_not_exist() -> None:
 
 
 def test_sines_and_cosines_need_no_guesses_of_simplify(monkeypatch) -> None:
-    """It takes minutes for some seeds of Python's hashes: a derivative of chapter 10."""
+    """It takes minutes for some seeds of Python's hashes: a derivative of chapter 14."""
     speed, ground, course = sp.symbols("v g Psi", real=True)
     north, east = speed * sp.cos(course), ground - speed * sp.sin(course)
     below = speed**2 - 2 * speed * ground * sp.sin(course) + ground**2

@@ -73,7 +73,7 @@ def pages(book: NotebookPages, pdf_size: int) -> dict[str, str]:
     found = {f"{name}.rst": text for name, text in api_pages().items()}
     found |= {f"{name}.md": text for name, text in ledger_pages().items()}
     notation = text_of(
-        ROOT, "12_ledger_and_glossary.ipynb", "## One notation", "## What the book cites"
+        ROOT, "19_ledger_and_glossary.ipynb", "## One notation", "## What the book cites"
     )
     found["chapters.md"] = chapters_page(ROOT)
     found["glossary.md"] = f"# Notation and glossary\n\n{notation}"

@@ -80,7 +80,7 @@ def _index() -> str:
         [
             "# The equation ledger\n",
             "What became of every equation, table, figure and claim of the four papers, and of "
-            "the numbers that others have published with the recordings of chapter 13. Each entry "
+            "the numbers that others have published with the recordings of chapter 17. Each entry "
             "links to the functions that compute it, and their reference links back.\n",
             _row(["", *STATUSES, "in all"]),
             _row(["---"] * (len(STATUSES) + 2)),

@@ -22,7 +22,7 @@ from slides.cells import on_slides
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 SLIDES = ROOT / "_slides"
-NO_SLIDES = "12"
+NO_SLIDES = "19"
 """The chapter that is for looking up."""
 
 

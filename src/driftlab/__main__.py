@@ -161,7 +161,7 @@ def commands() -> Iterator[str]:
     width = max(map(len, COMMANDS))
     yield from (f"    {name:{width}}  {purpose}" for name, purpose in COMMANDS.items())
     yield f"    {'find':{width}}  tasks and modules that speak of a word; or leave find out"
-    yield "The log of a turntable goes to driftlab.calibration.calibrate: chapter 08.\n"
+    yield "The log of a turntable goes to driftlab.calibration.calibrate: chapter 11.\n"
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -183,7 +183,7 @@ def main(arguments: Sequence[str]) -> int:
 
         meant = get_close_matches(arguments[0].lower(), COMMANDS, 1)
         lines.append(
-            f"Nothing here speaks of {words!r}. The words of the book are in chapter 12."
+            f"Nothing here speaks of {words!r}. The words of the book are in chapter 19."
             f"{f' Did you mean the command {meant[0]}?' if meant else ''}"
         )
     try:

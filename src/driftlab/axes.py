@@ -5,7 +5,7 @@ made of N, E, S, W (the compass) with U and D (up, down); body axes of F, B, R, 
 right, left) with U and D. So ``"ENU"`` is East, North, Up, and ``"FRD"`` forward, right, down. Two
 axes must not share a line, and the three must be right-handed.
 
-This package has ENU in chapters 01 to 08, and NUE with body axes FUR in Part IV. Most logs and most
+This package has ENU in chapters 01 to 11, and NUE with body axes FUR in Part IV. Most logs and most
 textbooks have NED with FRD, Chinese ones ENU with RFU, and robots ENU with FLU. Nothing in the
 numbers of a log says which: `align`, fed with FRD for FUR, answers with a roll of a quarter turn
 and without a word. Convert first.

@@ -1,6 +1,6 @@
 """Signs and orders in which books differ: attitude errors, psi angle, headings, quaternions.
 
-Chapter 12 has the table that says which book has which; `axes` converts between axes.
+Chapter 19 has the table that says which book has which; `axes` converts between axes.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ ATTITUDE_ERRORS = {
 
 With C the true matrix, body to reference, and Ĉ the computed one:
 
-``phi``: Ĉ = (I - [e×]) C, in reference axes. The book's φ in chapters 07 and 08, its δ in chapter
-10, and the phi-angle error model.
+``phi``: Ĉ = (I - [e×]) C, in reference axes. The book's φ in chapters 10 and 11, its δ in chapter
+14, and the phi-angle error model.
 ``titterton-weston``: the same; the tilt and azimuth errors of Titterton and Weston.
-``groves``: Ĉ = (I + [e×]) C, in reference axes. The δψ of Groves; the book's ε in chapter 09.
+``groves``: Ĉ = (I + [e×]) C, in reference axes. The δψ of Groves; the book's ε in chapter 13.
 ``larin``: Ĉ = C (I + [e×]), in body axes; e is twice the vector part of λ_e, chapters 01 to 04.
 """
 

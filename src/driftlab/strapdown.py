@@ -6,7 +6,7 @@ force. Attitudes are then one cumulative product and velocities one cumulative s
 needs the position, and a fixed-point iteration over half a minute of motion at once finds it in a
 few rounds. So an hour of flight takes some hundred NumPy calls on long arrays.
 
-A step is a pair of increments: the coning correction is that of `two-step-4` of chapter 06, and the
+A step is a pair of increments: the coning correction is that of `two-step-4` of chapter 07, and the
 velocity is corrected for rotation and sculling in the same way.
 """
 

@@ -11,7 +11,7 @@ from driftlab.attitude.noise_amplification import (
     noise_growth,
     step_noise_covariance,
 )
-from driftlab.book.ch06_picard_algorithms.experiments import COMPARED
+from driftlab.book.ch07_coning.experiments import COMPARED
 from driftlab.quaternion import conjugate, multiply, to_rotation_vector
 
 ANGLE = 0.3  # rad a sample

@@ -19,15 +19,15 @@ from driftlab.attitude import (
     step_rotation_vectors,
 )
 from driftlab.attitude.own_algorithms import checked_steps
-from driftlab.book.ch06_picard_algorithms.experiments import (
+from driftlab.book.ch07_coning.experiments import (
     algorithm_errors,
     algorithm_orders,
     coning,
     drift_by_frequency_and_rate,
 )
-from driftlab.book.ch06_picard_algorithms.experiments.algorithms import named_algorithms
-from driftlab.book.ch06_picard_algorithms.experiments.noise_and_band import rounding_error
-from driftlab.book.ch11_one_triad.experiments import calibration_stages
+from driftlab.book.ch07_coning.experiments.algorithms import named_algorithms
+from driftlab.book.ch07_coning.experiments.noise_and_band import rounding_error
+from driftlab.book.ch16_one_triad.experiments import calibration_stages
 from driftlab.drift import recorded_turn_estimate
 from driftlab.motion import Coning, Sway, TurntableRotation
 from driftlab.quaternion import multiply

@@ -10,7 +10,7 @@ import pytest
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.integration import integrate
-from driftlab.book.ch06_picard_algorithms.experiments import COMPARED, SHIP, random_algorithm
+from driftlab.book.ch07_coning.experiments import COMPARED, SHIP, random_algorithm
 from driftlab.core.attitude import step_quaternions
 from driftlab.core.coning import cone_increments, step_drift
 from driftlab.motion.profiles import Coning

@@ -19,9 +19,9 @@ NAMES = tuple(figures.figure_definitions())
 
 # Figures and panels that are of the same run.
 SHARED = {
-    "08-calibration-errors": "CalibrationRunExplorer",
-    "08-in-place": "CalibrationRunExplorer",
-    "11-capstone": "CapstoneExplorer",
+    "11-calibration-errors": "CalibrationRunExplorer",
+    "11-in-place": "CalibrationRunExplorer",
+    "16-capstone": "CapstoneExplorer",
 }
 
 

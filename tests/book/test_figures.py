@@ -81,7 +81,7 @@ def test_a_figure_that_is_read_from_its_csv_writes_it_again(name: str) -> None:
 @pytest.mark.slow
 def test_a_page_shows_the_picture_drawn_again_to_the_byte() -> None:
     """And its caption, which is its alt text too."""
-    for name in ("00-frames", "05-cayley-map"):
+    for name in ("00-frames", "06-cayley-map"):
         first, again = figures.figure(name), figures.figure(name)
         page = again._repr_html_()
         (shown,) = re.findall(r'src="data:image/svg\+xml;base64,([^"]*)"', page)
@@ -105,30 +105,30 @@ def test_a_rebuild_writes_every_entry_the_gallery_and_larins_numbers(tmp_path: P
     definitions = {
         name: each
         for name, each in figures.figure_definitions().items()
-        if name in ("00-frames", "05-cayley-map")
+        if name in ("00-frames", "06-cayley-map")
     }
     write_gallery(tmp_path, definitions)
     assert {path.name for path in tmp_path.iterdir()} == {
         "00-frames.svg",
-        "05-cayley-map.svg",
-        "05-cayley-map.csv",
+        "06-cayley-map.svg",
+        "06-cayley-map.csv",
         "04-larin-numbers.csv",
         "README.md",
     }
     captions = {name: each.caption(each.compute()) for name, each in definitions.items()}
     assert (tmp_path / "README.md").read_text(encoding="utf-8") == gallery(captions)
-    for name in ("05-cayley-map.csv", "04-larin-numbers.csv"):
+    for name in ("06-cayley-map.csv", "04-larin-numbers.csv"):
         tables = (read_table(folder / name)[1] for folder in (PUBLISHED, tmp_path))
         assert other_numbers(*tables) == []
 
 
 def test_one_figure_brings_its_caption_into_the_gallery(tmp_path: Path) -> None:
     page = tmp_path / "README.md"
-    page.write_text(gallery({"05-cayley-map": "Another caption."}), encoding="utf-8")
+    page.write_text(gallery({"06-cayley-map": "Another caption."}), encoding="utf-8")
     write_figures_on(tmp_path, figures_that_begin(["00-frames"]), 1, None, None)
     captions = captions_in(page.read_text(encoding="utf-8"))
-    assert list(captions) == ["00-frames", "05-cayley-map"]
-    assert captions["05-cayley-map"] == "Another caption."
+    assert list(captions) == ["00-frames", "06-cayley-map"]
+    assert captions["06-cayley-map"] == "Another caption."
 
 
 def test_without_its_recording_a_figure_is_restored_and_its_files_are_kept(
@@ -138,8 +138,8 @@ def test_without_its_recording_a_figure_is_restored_and_its_files_are_kept(
         raise RecordingUnavailable(name)
 
     monkeypatch.setattr(figures, "published_file", nowhere)
-    name = "13-hand-turns"
-    definition = figures.figure_definitions("13")[name]
+    name = "17-hand-turns"
+    definition = figures.figure_definitions("17")[name]
     shown, caption = figures.figure(name), published_captions()[name]
     assert shown.caption == f"{caption} {figures.not_at_hand(definition)}"
     assert "github.com/mad-lab-fau/imucal was not at hand" in shown.caption

@@ -122,7 +122,7 @@ def test_no_words_of_a_panels_picture_collide(
     ("ending", "begins"), [("pdf", b"%PDF"), ("svg", b"<?xml"), ("png", b"\x89PNG")]
 )
 def test_a_figure_is_saved_for_paper(tmp_path: Path, ending: str, begins: bytes) -> None:
-    figure, width = figures.figure("05-cayley-map"), PAGE if ending == "pdf" else COLUMN
+    figure, width = figures.figure("06-cayley-map"), PAGE if ending == "pdf" else COLUMN
     one, two = (
         figure.save(tmp_path / f"{name}.{ending}", width=width).read_bytes() for name in "ab"
     )

@@ -26,11 +26,11 @@ from grouped import opened
 from panel_numbers import NUMBER, results_of, seconds_of
 from panel_numbers.ch02 import SHAPES
 from panel_numbers.ch04 import turn_calibration
-from panel_numbers.ch05 import cayley_map
-from panel_numbers.ch06 import algorithm_laboratory
-from panel_numbers.ch07 import split_triad
-from panel_numbers.ch08 import calibration, mission, observability
-from panel_numbers.ch13 import allan
+from panel_numbers.ch06 import cayley_map
+from panel_numbers.ch07 import algorithm_laboratory
+from panel_numbers.ch10 import split_triad
+from panel_numbers.ch11 import calibration, mission, observability
+from panel_numbers.ch17 import allan
 from panel_numbers.values import ABSENT, Values, axis_of, listed
 
 

@@ -58,9 +58,9 @@ def test_table_has_every_entry_with_its_identifier():
 
 
 def test_names_beside_a_textbook_are_names_of_the_package():
-    """In the sections on textbooks, and in the columns of chapter 12 that speak of the code."""
+    """In the sections on textbooks, and in the columns of chapter 19 that speak of the code."""
     sources = "\n".join(path.read_text(encoding="utf-8") for path in SOURCE.rglob("*.py"))
-    desk = TEXTS["12"].split("## With your textbook on the desk")[1].split("\n## ")[0]
+    desk = TEXTS["19"].split("## With your textbook on the desk")[1].split("\n## ")[0]
     signs, words = desk.split("### The field's words")
     cells = [
         *(column for row in table_rows(signs) for column in (row[1], row[-1])),
@@ -68,7 +68,7 @@ def test_names_beside_a_textbook_are_names_of_the_package():
         *(
             text.split("## In your textbook")[1].split("\n## ")[0]
             for number, text in TEXTS.items()
-            if number != "12"
+            if number != "19"
         ),
     ]
     names = set(re.findall(r"`-?(?:driftlab\.)?([A-Za-z]\w+)", "\n".join(cells))) - OTHERS

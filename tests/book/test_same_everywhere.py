@@ -23,11 +23,11 @@ CHOSEN = (
     "02-roots",
     "03-drift-map",
     "04-larin-digits",
-    "05-cayley-map",
-    "06-coning-area",
-    "07-plane-split",
-    "09-alignment-terms",
-    "10-operating-formula",
+    "06-cayley-map",
+    "07-coning-area",
+    "10-plane-split",
+    "13-alignment-terms",
+    "14-operating-formula",
 )
 AROUND = {
     "TZ": "Asia/Kathmandu",

@@ -7,7 +7,7 @@ import pytest
 from scipy.constants import degree, g, hour, micro
 from scipy.stats import chi2, norm
 
-from driftlab.book.ch08_system_calibration.experiments import QUICK_TRIAL as TRIAL
+from driftlab.book.ch11_kalman_calibration.experiments import QUICK_TRIAL as TRIAL
 from driftlab.calibration import (
     ERROR_MODELS,
     covariance_analysis,
@@ -173,7 +173,7 @@ def test_a_filter_that_is_told_is_as_good_as_it_says(noise, passes):
 
 @pytest.mark.slow
 def test_a_filter_of_constants_is_too_sure_and_its_innovations_hide_it():
-    """What chapter 08 says of the trial, the noise and the filter of its own."""
+    """What chapter 11 says of the trial, the noise and the filter of its own."""
     constants = replace(TRIAL, noise=IN_CHAPTER, assumed_noise=ImuNoise())
     found, told = (
         trial.run(np.random.default_rng(1), RUNS)

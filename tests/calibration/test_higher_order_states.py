@@ -1,4 +1,4 @@
-"""States by choice: lever arms, time skew, g^2 and g-sensitivity in the filter of chapter 08."""
+"""States by choice: lever arms, time skew, g^2 and g-sensitivity in the filter of chapter 11."""
 
 from dataclasses import replace
 

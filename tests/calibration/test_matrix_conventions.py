@@ -8,7 +8,7 @@ from scipy.constants import degree
 from scipy.spatial.transform import Rotation
 
 from driftlab.body_frames import body_frame_rotation
-from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
+from driftlab.book.ch17_real_recordings.experiments.publishers_numbers import IMU_TK
 from driftlab.calibration.body_axes import imu_errors_in_frame
 from driftlab.calibration.matrix_conventions import (
     ImucalMatrices,

@@ -7,7 +7,7 @@ import pytest
 
 from driftlab.attitude import integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
-from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
+from driftlab.book.ch17_real_recordings.experiments.publishers_numbers import IMU_TK
 from driftlab.calibration.multi_position import calibrate_multi_position
 from driftlab.drift import turn_estimate
 from driftlab.imu import PriorStandardDeviations

@@ -132,7 +132,7 @@ def test_table_on_the_earth_by_hand(edition):
 
 @pytest.mark.parametrize("edition", EDITIONS)
 def test_three_parts_from_a_flight_of_both_boxes(edition):
-    found = question(edition, "07")
+    found = question(edition, "10")
     error = matrix_in(found.given)
     symmetric, skew = (error + error.T) / 2, (error - error.T) / 2
     kappa = np.array([skew[2, 1], skew[0, 2], skew[1, 0]])
@@ -170,7 +170,7 @@ def test_three_parts_from_a_flight_of_both_boxes(edition):
 
 @pytest.mark.parametrize("edition", EDITIONS)
 def test_compass_at_rest_by_hand(edition):
-    found = question(edition, "09")
+    found = question(edition, "13")
     forward, up, right = numbers(found.given)[:3]
     level, heading = hypot(forward, right), degrees(atan2(right, forward))
 
@@ -198,7 +198,7 @@ def test_compass_at_rest_by_hand(edition):
 
 @pytest.mark.parametrize("edition", EDITIONS)
 def test_compass_under_way_by_hand(edition):
-    found = question(edition, "10")
+    found = question(edition, "14")
     latitude, knots = numbers(found.given)[:2]
     gravity = numbers(found.given.split("g = ")[1])[0]
     diagonal = sqrt(0.5)
@@ -234,7 +234,7 @@ def test_compass_under_way_by_hand(edition):
 
 @pytest.mark.parametrize("edition", EDITIONS)
 def test_cayley_vectors_by_scipy(edition):
-    found = question(edition, "05")
+    found = question(edition, "06")
     angle, *axis = numbers(found.given.split("The Cayley")[0])
     place = re.search(r"component (\d)", " ".join(part.asks for part in found.parts))
     place = int(place[1]) - 1 if place else 0
@@ -262,7 +262,7 @@ def test_cayley_vectors_by_scipy(edition):
 
 @pytest.mark.parametrize("edition", EDITIONS)
 def test_coning_step_by_the_formulas(edition):
-    found = question(edition, "06")
+    found = question(edition, "07")
     rows = re.findall(r"\((.*?)\)", found.given.split("In (b)")[0])
     first, second = (np.array(numbers(row)) for row in rows)
     correction = 2 / 3 * np.cross(first, second)
@@ -292,7 +292,7 @@ def test_coning_step_by_the_formulas(edition):
 
 @pytest.mark.parametrize("edition", EDITIONS)
 def test_calibration_step_by_least_squares(edition):
-    found = question(edition, "08")
+    found = question(edition, "11")
     angle, bias, time, measured, noise = numbers(found.given)
 
     def solved(time, measured=measured, noise=noise):
@@ -320,7 +320,7 @@ def test_calibration_step_by_least_squares(edition):
 
 @pytest.mark.parametrize("edition", EDITIONS)
 def test_turned_by_hand_from_both_runs(edition):
-    found = question(edition, "13")
+    found = question(edition, "17")
     turns, seconds, there, back = numbers(found.given)
     known = np.linalg.solve([[360 * turns, seconds], [-360 * turns, seconds]], [there, back])
     if part := asked(found, "Larin's number"):

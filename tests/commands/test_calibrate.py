@@ -6,7 +6,7 @@ import shlex
 import numpy as np
 import pytest
 
-from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
+from driftlab.book.ch17_real_recordings.experiments.publishers_numbers import IMU_TK
 from driftlab.calibration import calibrate_multi_position, from_json
 from driftlab.calibration.interchange import KeptCalibration
 from driftlab.commands import example

@@ -19,7 +19,7 @@ from support import order_of
 
 BOTH = np.array([1.0, -1.0])
 BENT = np.array([[0, -30, 20], [-30, 0, 30], [20, 30, 0]]) * arcsecond
-"""The triad of chapter 11."""
+"""The triad of chapter 16."""
 SARATOV, RATE = np.radians(51.5), 2 * np.pi / 36
 
 

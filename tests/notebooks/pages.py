@@ -12,7 +12,7 @@ NOTEBOOKS = sorted(
 )
 CHAPTERS = sorted(FOLDER.glob("0[1-9]_*.ipynb")) + sorted(FOLDER.glob("1[013]_*.ipynb"))
 START = FOLDER / "00_start_here.ipynb"
-LEDGER = FOLDER / "12_ledger_and_glossary.ipynb"
+LEDGER = FOLDER / "19_ledger_and_glossary.ipynb"
 SOLUTIONS = [FOLDER / "solutions" / path.name for path in CHAPTERS]
 PAGES = [*NOTEBOOKS, *sorted(FOLDER.rglob("*.md"))]
 

@@ -28,7 +28,7 @@ ASKED = ("03", f"notebooks/{CHAPTER}", "lab_sheet", "solutions/03")
 REFUSED = (
     ["14"],
     ["--exercises"],
-    ["12", "--exercises"],
+    ["19", "--exercises"],
     ["0"],
     ["instructors/examination"],
     ["--edition", " "],

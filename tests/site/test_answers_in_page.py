@@ -23,7 +23,7 @@ def test_guesses_are_answered_and_looked_back_at():
     assert "That is what you guessed." in shown
     assert "Kept." in shown
     assert "You looked without a guess" in guesses.reveal("03", None, "")
-    keys = [puzzle_of("03").key, puzzle_of("05").key]
+    keys = [puzzle_of("03").key, puzzle_of("06").key]
     table = guesses.look_back({keys[0]: ["the first", 100.0], keys[1]: ["out of date"]})
     assert table.count("<tr>") == 3
     assert "No guess is kept yet" in guesses.look_back({keys[0]: None})
@@ -189,7 +189,7 @@ def test_a_browser_that_keeps_nothing_is_told_so(page, address):
 
 @browser
 def test_the_export_bears_the_readers_name(page, address):
-    keep(page, {"exercises": {"3.3": SOUND, "11.1": SOUND}})
+    keep(page, {"exercises": {"3.3": SOUND, "16.1": SOUND}})
     page.goto(f"{address}/03_systematic_drift.html")
     for name, file, title in (
         ("", "drift-lab-answers", "My answers"),
@@ -206,4 +206,4 @@ def test_the_export_bears_the_readers_name(page, address):
         nbformat.validate(notebook)
         first = notebook.cells[0].source
         assert first.startswith(f"# {title}\n\nExercises of Drift Lab {driftlab.__version__}, ")
-        assert re.search(r"chapters 03, 11, .* exported \d{4}-\d\d-\d\d\.$", first)
+        assert re.search(r"chapters 03, 16, .* exported \d{4}-\d\d-\d\d\.$", first)

@@ -113,7 +113,7 @@ def test_every_exercise_and_puzzle_has_its_room_its_help_and_its_solution(source
             assert len(helping) == len(hints_of(chapter))
         guesses = page.count(f'<div class="guess" data-guess="{chapter}">')
         assert guesses == code.count(f'guess("{chapter}")')
-    assert pages["11_one_triad.ipynb"].count('<div class="guesses">') == 1
+    assert pages["16_one_triad.ipynb"].count('<div class="guesses">') == 1
 
 
 def test_ledger_and_reference_lead_to_each_other(site):

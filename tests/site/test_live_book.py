@@ -82,7 +82,11 @@ SOLUTION = "solutions/03_systematic_drift"
 def test_the_strip_leads_to_pages_of_the_site_only(page, address):
     page.route("**/live/build/**", lambda route: route.abort())
     for path, name, leads in (
-        ("03_systematic_drift mine, Größe.ipynb", "Chapter's page", "03_systematic_drift.html"),
+        (
+            "03_systematic_drift mine, Größe.ipynb",
+            "Chapter's page",
+            "03_systematic_drift.html",
+        ),
         (f"{SOLUTION}-Copy1.ipynb", "Chapter's page", f"{SOLUTION}.html"),
         ("javascript:alert(1)//.ipynb", "The book's pages", "index.html"),
         ("//other.example/a.ipynb", "The book's pages", "index.html"),

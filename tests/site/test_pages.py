@@ -13,8 +13,8 @@ pytestmark = pytest.mark.xdist_group("site")
 WIDTHS = (390, 683, 1366)
 KINDS = (
     "index",
-    "08_system_calibration",
-    "solutions/06_picard_algorithms",
+    "11_kalman_calibration",
+    "solutions/07_coning",
     "ledger/larin",
     "reference/index",
     "reference/modules/calibration.filter",
@@ -27,7 +27,7 @@ KINDS = (
 """A page of each kind; of chapters the longest."""
 WEIGHT = 60_000
 """Bytes of a page, packed as servers send it."""
-HEAVY = {"06_picard_algorithms": 80_000, "08_system_calibration": 85_000}
+HEAVY = {"07_coning": 80_000, "11_kalman_calibration": 85_000}
 """The two longest chapters: their words, code and numbers alone are more than 40 kB."""
 UNREAD = re.compile(r"<(script|style)\b([^>]*)>.*?</\1>|<!--.*?-->", re.S)
 ATTRIBUTE = re.compile(r"""\s(id|href|src)=(?:"([^"]*)"|'([^']*)')""")
@@ -94,7 +94,7 @@ def test_every_formula_of_every_page_can_be_set(texts, address, kept_page):
         if tex
     }
     assert len(formulas) > 1000
-    kept_page.goto(f"{address}/solutions/01_rotation_and_error_kinematics.html")
+    kept_page.goto(f"{address}/solutions/01_attitude_error_motion.html")
     answer(kept_page, "async () => void (await window.MathJax.startup.promise)")
     assert kept_page.evaluate(UNSET, [r"\frac{", "x"]) == [r"\frac{"]
     assert kept_page.evaluate(UNSET, sorted(formulas)) == []
@@ -144,6 +144,8 @@ def test_a_chapter_is_read_on_a_phone(address, page):
 
 @browser
 def test_a_link_into_a_folded_section_unfolds_it(site, page):
-    page.goto((site / "05_cayley_and_riccati.html").as_uri() + "#chapter-05-the-matrix-of-1-6")
+    page.goto(
+        (site / "06_attitude_in_three_numbers.html").as_uri() + "#chapter-06-the-matrix-of-1-6"
+    )
     page.locator("h4", has_text="The matrix of (1.6)").wait_for(state="visible")
     assert page.locator("details.folded[open]").count() == 1

@@ -9,7 +9,7 @@ FOUND = {
     "bias instability": "noise_terms.fit_noise_terms",
     "ZUPT": "recordings.static_intervals",
     "DataFrame": "recordings.from_dataframe",
-    "seaway": "03 The systematic drift",
+    "seaway": "03 Which misalignments drift?",
     "count by their area": "Small motions count by their area",
 }
 """What is among the first eight, by what is typed."""

@@ -7,7 +7,7 @@ here is three choices: how many increments make a step, how the correction is es
 last stage: how corrected gamma becomes a quaternion.
 
 The copy of the paper at hand ends where section 2 begins. The algorithms below are derived in
-chapter 06: `one-step-3`, `two-step-3` and `two-step-4` after the properties that the abstract
+chapter 07: `one-step-3`, `two-step-3` and `two-step-4` after the properties that the abstract
 announces, `picard-1` and `memory-4` beside them. They are a reconstruction and need not be the
 authors' own forms. The two rotation-vector algorithms are the usual alternative; the weights for
 three samples are Miller's (1983).
@@ -182,7 +182,7 @@ CONING_ALGORITHMS: Mapping[str, Algorithm] = MappingProxyType(
         )
     }
 )
-"""Algorithms with cross products by name, in the order of the tables of chapter 06."""
+"""Algorithms with cross products by name, in the order of the tables of chapter 07."""
 
 AttitudeAlgorithm = Algorithm | FunctionalIteration
 AnyAlgorithm = str | AttitudeAlgorithm | OwnAlgorithm

@@ -80,7 +80,7 @@ def coning_drift(
     (in a window, for functional iteration), and q the algorithm's quaternion of the step that
     begins at phase zero. The step after it is Z q Z*, so n steps make (q Z)^n Z*^n. A perfect q Z
     turns by X; what another turns more or less, divided by the time of the step, is the drift.
-    Chapter 06. Rounding leaves some 1e-16 rad a step.
+    Chapter 07. Rounding leaves some 1e-16 rad a step.
 
     The axis of q Z, about which the error piles up, leans from that of the cone by an angle l. Let
     q Z turn by 2 h, and K = tan^2(l/2). Within a step the error about the cone's axis grows by the

@@ -1,43 +1,43 @@
 from . import scenarios as scenarios
-from .ch01_rotation_and_error_kinematics.panels import ErrorMotionExplorer as ErrorMotionExplorer
-from .ch01_rotation_and_error_kinematics.scenes import FalseRate as FalseRate
+from .ch01_attitude_error_motion.panels import ErrorMotionExplorer as ErrorMotionExplorer
+from .ch01_attitude_error_motion.scenes import FalseRate as FalseRate
 from .ch02_characteristic_equation.panels import RootsExplorer as RootsExplorer
 from .ch03_systematic_drift.globe import GlobeOfAxes as GlobeOfAxes
 from .ch03_systematic_drift.panels import DriftExplorer as DriftExplorer
 from .ch03_systematic_drift.scenes import TurningBlock as TurningBlock
 from .ch04_calibration_by_turns.panels import TurnCalibrationExplorer as TurnCalibrationExplorer
 from .ch04_calibration_by_turns.scenes import FourMountings as FourMountings
-from .ch05_cayley_and_riccati.panels import CayleyMapExplorer as CayleyMapExplorer
-from .ch05_cayley_and_riccati.scenes import LampAndShadow as LampAndShadow
-from .ch06_picard_algorithms.panels import (
+from .ch06_attitude_in_three_numbers.panels import CayleyMapExplorer as CayleyMapExplorer
+from .ch06_attitude_in_three_numbers.scenes import LampAndShadow as LampAndShadow
+from .ch07_coning.panels import (
     AlgorithmLaboratoryExplorer as AlgorithmLaboratoryExplorer,
 )
-from .ch06_picard_algorithms.scenes import ShakingBracket as ShakingBracket
-from .ch06_picard_algorithms.square import SquareThatDoesNotClose as SquareThatDoesNotClose
-from .ch07_installation_errors.panels import SplitExplorer as SplitExplorer
-from .ch07_installation_errors.scenes import TwoTables as TwoTables
-from .ch08_system_calibration.panels import (
+from .ch07_coning.scenes import ShakingBracket as ShakingBracket
+from .ch07_coning.square import SquareThatDoesNotClose as SquareThatDoesNotClose
+from .ch10_misalignment.panels import SplitExplorer as SplitExplorer
+from .ch10_misalignment.scenes import TwoTables as TwoTables
+from .ch11_kalman_calibration.panels import (
     CalibrationRunExplorer as CalibrationRunExplorer,
     MissionExplorer as MissionExplorer,
     ObservabilityExplorer as ObservabilityExplorer,
 )
-from .ch08_system_calibration.scenes import TurningTable as TurningTable
-from .ch09_aligning_a_gyrocompass.panels import AlignmentBudgetExplorer as AlignmentBudgetExplorer
-from .ch09_aligning_a_gyrocompass.scenes import (
+from .ch11_kalman_calibration.scenes import TurningTable as TurningTable
+from .ch13_finding_north.panels import AlignmentBudgetExplorer as AlignmentBudgetExplorer
+from .ch13_finding_north.scenes import (
     BowOverTheTop as BowOverTheTop,
     BoxOnTheWayNorth as BoxOnTheWayNorth,
 )
-from .ch10_gyrocompass_at_work.panels import (
+from .ch14_gyrocompass_under_way.panels import (
     GyrocompassExplorer as GyrocompassExplorer,
     TypeTestExplorer as TypeTestExplorer,
 )
-from .ch10_gyrocompass_at_work.scenes import (
+from .ch14_gyrocompass_under_way.scenes import (
     SchulerPendulum as SchulerPendulum,
     ShipUnderWay as ShipUnderWay,
 )
-from .ch11_one_triad.panels import CapstoneExplorer as CapstoneExplorer
-from .ch11_one_triad.scenes import TurningShip as TurningShip
-from .ch13_real_triads.panels import AllanExplorer as AllanExplorer
+from .ch16_one_triad.panels import CapstoneExplorer as CapstoneExplorer
+from .ch16_one_triad.scenes import TurningShip as TurningShip
+from .ch17_real_recordings.panels import AllanExplorer as AllanExplorer
 from .exercises import (
     add_exercise as add_exercise,
     all_exercises as all_exercises,

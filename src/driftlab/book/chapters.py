@@ -9,7 +9,7 @@ from types import ModuleType
 CHAPTERS = {
     folder.name[2:4]: folder.name for folder in sorted(Path(__file__).parent.glob("ch[0-9][0-9]_*"))
 }
-"""Folders by the number of the chapter, "00" to "13"; each is called like its notebook."""
+"""Folders by the number of the chapter, "00" to "19"; each is called like its notebook."""
 
 
 def chapters_with(part: str) -> list[str]:

@@ -17,7 +17,7 @@ def errata() -> str:
             "What Drift Lab found to be wrong in the copies of four papers, with the right form "
             "and its proof. Written by `python -m driftlab.book errata` from the equation ledger; "
             "do not edit. The whole ledger, with what was reproduced, reconstructed and not "
-            "recoverable, is chapter 12 of the book.",
+            "recoverable, is chapter 19 of the book.",
             "",
             "## What was read",
             "",

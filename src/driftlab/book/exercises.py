@@ -44,7 +44,7 @@ def all_exercises(chapter: str | None = None) -> dict[str, Exercise]:
     Parameters
     ----------
     chapter : str, optional
-        Its number, "01" to "13". Only that chapter's module is imported then.
+        Its number, "01" to "18". Only that chapter's module is imported then.
 
     Notes
     -----
@@ -96,7 +96,7 @@ def add_exercise(number: str, exercise: Exercise, help_: Help = NO_HELP) -> None
 
 @cache
 def hints_of(chapter: str) -> dict[str, Help]:
-    """Return the help with each exercise of a chapter, "01" to "13", by the exercise's number."""
+    """Return the help with each exercise of a chapter, "01" to "18", by the exercise's number."""
     text = (files(__package__) / CHAPTERS[chapter] / "hints.toml").read_text("utf-8")
     return {number: Help(**each) for number, each in tomllib.loads(text).items()}
 

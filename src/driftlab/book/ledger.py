@@ -1,7 +1,7 @@
 """The equation ledger: what became of every equation, table, figure and claim of the four papers.
 
-And of the numbers that others have published with the recordings of chapter 13. The entries stand
-in the ``ledger.toml`` of the chapter that treats them. A chapter shows its own, chapter 12 shows
+And of the numbers that others have published with the recordings of chapter 17. The entries stand
+in the ``ledger.toml`` of the chapter that treats them. A chapter shows its own, chapter 19 shows
 all, and `errata` writes the corrected ones to ERRATA.md.
 """
 
@@ -79,7 +79,7 @@ PUBLISHERS = {
         "picture. The paper itself was not read.",
     ),
 }
-"""Who published recordings with results of their own, in the order of chapter 13."""
+"""Who published recordings with results of their own, in the order of chapter 17."""
 
 WORKS = PAPERS | PUBLISHERS
 """Everything that an entry may be about."""
@@ -159,12 +159,12 @@ def _chapter_entries(chapter: str) -> list[LedgerEntry]:
 def chapter_table(chapter: str) -> Table:
     """Return what one chapter found of its paper, for the end of that chapter.
 
-    What was corrected has a row each, the rest a row for each status. Chapter 12 has it all.
+    What was corrected has a row each, the rest a row for each status. Chapter 19 has it all.
 
     Parameters
     ----------
     chapter : str
-        Its number, "01" to "10", or "13".
+        Its number, as "04".
 
     Raises
     ------

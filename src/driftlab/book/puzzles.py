@@ -37,7 +37,7 @@ def guess(chapter: str) -> GuessControl:
     Parameters
     ----------
     chapter : str
-        Its number, "00" to "13".
+        Its number, "00" to "19".
 
     Raises
     ------
@@ -86,17 +86,17 @@ class Guesses:
         if not self.rows:
             return "No guess is kept yet. Each chapter opens with a puzzle; guess at a few of them."
         numbers = [(row.chapter, abs(row.decades)) for row in self.rows if row.decades is not None]
-        early = [off for chapter, off in numbers if chapter < "06"]
-        late = [off for chapter, off in numbers if chapter >= "06"]
+        early = [off for chapter, off in numbers if chapter < "07"]
+        late = [off for chapter, off in numbers if chapter >= "07"]
         if min(len(early), len(late)) < ENOUGH:
             return (
                 f"Guesses kept: {len(self.rows)}. With {ENOUGH} numbers or more guessed before "
-                "chapter 06 and as many from it on, this line says how your intuition moved."
+                "chapter 07 and as many from it on, this line says how your intuition moved."
             )
         before, after = (10 ** median(off) for off in (early, late))
         moved = "closer" if after < before else "no closer"
         return (
-            f"Half of your guesses before chapter 06 were within a factor {before:.2g} of the "
+            f"Half of your guesses before chapter 07 were within a factor {before:.2g} of the "
             f"truth, half of those from it on within {after:.2g}: your intuition came {moved}. "
             "These are few guesses, at puzzles of unequal difficulty."
         )

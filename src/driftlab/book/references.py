@@ -1,7 +1,7 @@
 """What the book cites: each book, paper and standard once, with the chapters in which it stands.
 
 The entries are in ``references.toml``. The notebooks quote them letter for letter, under "Read on"
-and under "Sources"; chapter 12 lists all.
+and under "Sources"; chapter 19 lists all.
 """
 
 from __future__ import annotations

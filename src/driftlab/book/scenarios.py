@@ -30,7 +30,7 @@ SHAPES = {
 OBLIQUE_AXIS = (1.0, 1.0, 0.3)
 """Axis of rotation in the published figures: neither a body axis nor a diagonal."""
 
-# Chapters 09 to 11
+# Chapters 13 to 16
 SARATOV_LATITUDE = float(np.radians(51.5))
 """Of the authors' town, rad; their paper on the gyrocompass names no place."""
 SCHULER_PERIOD = 2 * np.pi * float(np.sqrt(EARTH_RADIUS / gravity(SARATOV_LATITUDE)))
@@ -96,6 +96,6 @@ def _kept_voyage(
     return kept
 
 
-# Chapters 06 to 08
+# Chapters 07 to 11
 TABLE_LATITUDE = float(np.radians(37.5))
 """Of the turntable on which units are calibrated, rad."""

@@ -81,7 +81,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.description = (
         f"{parser.description}\n"
         "The log of a unit on a turntable goes to\n"
-        "driftlab.calibration.calibrate: chapter 08 of the book."
+        "driftlab.calibration.calibrate: chapter 11 of the book."
     )
     add = parser.add_argument_group("rests and axes").add_argument
     seconds: dict[str, Any] = {"type": number, "default": 1.0, "metavar": "S"}

@@ -48,7 +48,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--algorithm",
         default="two-step-4",
         choices=sorted(ALGORITHMS),
-        help="attitude algorithm of chapter 06 (default: two-step-4); one-step-3, two-step-3 and "
+        help="attitude algorithm of chapter 07 (default: two-step-4); one-step-3, two-step-3 and "
         "two-step-4 are reconstructed from the abstract of Perelyaev and Chelnokov; for a body "
         "that keeps turning fast take rotation-vector-2: in a steady turn two-step-4 has a "
         "systematic error, 4.5 deg/h at 400 deg/s and 50 Hz",

@@ -116,7 +116,7 @@ def align_in_inertial_frame(increments: Increments, latitude: ArrayLike) -> Iner
     Of the ways to solve for the attitude this one takes all velocities (Wahba's problem, by
     Davenport's method). The cross products of two velocities, as of ``aligni0``, take the middle
     and the end, and what the base does just then goes into the heading undiminished. The headings
-    of 26 stretches of 70 s of a parked car scatter five times as much by it, see chapter 13.
+    of 26 stretches of 70 s of a parked car scatter five times as much by it, see chapter 17.
 
     Constant biases of the sensors do what they do in `align`: `alignment_attitude_error` holds here
     as well, at the end of the record, but for terms of the drift in half of the record's time.

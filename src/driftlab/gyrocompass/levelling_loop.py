@@ -7,7 +7,7 @@ velocity v_log, and the gains k1 and k2 as in Plotnikov et al.:
 
     chi' = -k1 (g chi + a + n - v_log') - k2 ∫(g chi + a + n) dt + ∫a dt/R - d.
 
-Chapter 10 derives it. The tuning k2 = 1/R is Schuler's, *Die Störung von Pendel- und
+Chapter 14 derives it. The tuning k2 = 1/R is Schuler's, *Die Störung von Pendel- und
 Kreiselapparaten durch die Beschleunigung des Fahrzeuges*, Physikalische Zeitschrift 24, 1923; the
 loop and its oscillation without damping are in K. R. Britting, Inertial Navigation Systems Analysis
 (1971).

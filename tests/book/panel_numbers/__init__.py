@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from driftlab.book.machinery.panel.panel import Explorer
 
-from . import ch01, ch02, ch03, ch04, ch05, ch06, ch07, ch08, ch09, ch10, ch11, ch13
+from . import ch01, ch02, ch03, ch04, ch06, ch07, ch10, ch11, ch13, ch14, ch16, ch17
 from .values import Rows, Values
 
 NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
@@ -83,15 +83,15 @@ BY_PANEL: dict[str, Callable[[Values], Rows]] = {
     "RootsExplorer": ch02.roots,
     "DriftExplorer": ch03.drift,
     "TurnCalibrationExplorer": ch04.turn_calibration,
-    "CayleyMapExplorer": ch05.cayley_map,
-    "AlgorithmLaboratoryExplorer": ch06.algorithm_laboratory,
-    "SplitExplorer": ch07.split_triad,
-    "ObservabilityExplorer": ch08.observability,
-    "CalibrationRunExplorer": ch08.calibration,
-    "MissionExplorer": ch08.mission,
-    "AlignmentBudgetExplorer": ch09.alignment_budget,
-    "GyrocompassExplorer": ch10.gyrocompass,
-    "TypeTestExplorer": ch10.type_test,
-    "CapstoneExplorer": ch11.capstone,
-    "AllanExplorer": ch13.allan,
+    "CayleyMapExplorer": ch06.cayley_map,
+    "AlgorithmLaboratoryExplorer": ch07.algorithm_laboratory,
+    "SplitExplorer": ch10.split_triad,
+    "ObservabilityExplorer": ch11.observability,
+    "CalibrationRunExplorer": ch11.calibration,
+    "MissionExplorer": ch11.mission,
+    "AlignmentBudgetExplorer": ch13.alignment_budget,
+    "GyrocompassExplorer": ch14.gyrocompass,
+    "TypeTestExplorer": ch14.type_test,
+    "CapstoneExplorer": ch16.capstone,
+    "AllanExplorer": ch17.allan,
 }

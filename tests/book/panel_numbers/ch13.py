@@ -1,43 +1,54 @@
 """Rows of the panel of chapter 13."""
 
 import numpy as np
+from scipy.constants import degree, g, hour, milli
 
-from driftlab.allan import allan_deviation
-from driftlab.noise_terms import NoiseTerms
+from driftlab.frames import from_euler_angles
+from driftlab.gyrocompass.alignment import align, alignment_attitude_error, alignment_errors
+from driftlab.motion.vehicle import static_imu
+from driftlab.quaternion import conjugate, multiply, rotate, rotation_angle
+from driftlab.vectors import wrap_angle
 
-from .values import ABSENT, Rows, Values, listed, three_digits
-
-TERMS = (
-    ("quantisation", "″", np.pi / 648000),
-    ("angle random walk", "°/√h", np.pi / 180 / 60),
-    ("bias instability", "°/h", np.pi / 648000),
-    ("rate random walk", "°/h/√h", np.pi / 648000 / 60),
-    ("rate ramp", "°/h²", np.pi / 648000 / 3600),
-)
+from .values import ABSENT, Rows, Values, listed
 
 
-def allan(values: Values) -> Rows:
-    sizes = listed(values, "quantisation walk flicker rate_walk ramp")
-    noise = NoiseTerms(*(float(size * unit) for size, (*_, unit) in zip(sizes, TERMS, strict=True)))
-    step = values["length"] * 60 / 4096
-    rates = noise.samples(4096, step, np.random.default_rng(values["run"]))
-    found = allan_deviation(rates, step)
-    freedom = found.degrees_of_freedom
-    t = found.averaging_times
-    flat = 2 * np.log(2) / np.pi * np.ones_like(t)
-    curves = np.array([3 / t**2, 1 / t, flat, t / 3, t**2 / 2])
-    scales = np.array([unit for *_, unit in TERMS])
-    parts = curves * ((sizes * scales) ** 2)[:, None]
-    rows = []
-    for (name, unit, scale), part, curve, size in zip(TERMS, parts, curves, sizes, strict=True):
-        share = np.where(freedom > 5, part / np.maximum(parts.sum(axis=0), 1e-300), 0)
-        read = "nowhere" if size else ABSENT
-        if share.max() > 0.9:
-            place = share.argmax()
-            read = three_digits(found.deviation[place] / np.sqrt(curve[place]) / scale)
-        put_in = three_digits(size) if size else ABSENT
-        rows += [(f"{name}, {unit}: put in", put_in), (f"{name}, {unit}: read", read)]
-    place = found.deviation.argmin()
-    height = three_digits(found.deviation[place] * 648000 / np.pi)
-    lowest = f"{height} °/h at {three_digits(t[place])} s" if found.deviation.any() else ABSENT
-    return [("lowest point", lowest), *rows]
+def alignment_budget(values: Values) -> Rows:
+    angles = np.radians(listed(values, "heading pitch roll"))
+    latitude = np.radians(values["latitude"])
+    drifts = listed(values, "gyro_forward gyro_up gyro_right") * degree / hour
+    offsets = listed(values, "acc_forward acc_up acc_right") * milli * g
+    attitude = from_euler_angles(*angles)
+    rate, force = static_imu(attitude, latitude)
+    true = align(rate, force)
+    found = align(rate + drifts, force + offsets, heading_tolerance=np.inf)
+    turned = rotation_angle(multiply(found.attitude, conjugate(true.attitude)))
+    local = rotate(attitude, drifts), rotate(attitude, offsets)
+    # A vertical body has no heading and no roll. Pitch and latitude err alike at any pitch.
+    vertical = abs(values["pitch"]) == 90
+    formula = alignment_errors(angles[0], 0 if vertical else angles[1], latitude, *local)
+
+    def said(error: float, name: str) -> str:
+        hidden = vertical and name in ("heading", "roll")
+        return ABSENT if hidden else f"{np.degrees(error):.4f}°"
+
+    def exact(name: str) -> str:
+        return said(wrap_angle(getattr(found, name) - getattr(true, name)), name)
+
+    def pair(name: str, first: str, second: str) -> Rows:
+        return [(f"{name}: exact", first), (f"{name}: first order", second)]
+
+    terms = (
+        "east gyro",
+        "east acc., tan pitch",
+        "north acc., tan pitch",
+        "east acc., tan latitude",
+    )
+    headline = "no heading" if vertical else exact("heading")
+    rows = [("heading error", headline)]
+    rows += pair("heading", exact("heading"), said(formula.heading, "heading"))
+    for name, term in zip(terms, formula.heading_terms, strict=True):
+        rows += pair(f"by {name}", ABSENT, said(term, "heading"))
+    for name in ("pitch", "roll", "latitude"):
+        rows += pair(name, exact(name), said(getattr(formula, name), name))
+    first_order = np.linalg.norm(alignment_attitude_error(latitude, *local))
+    return rows + pair("attitude", said(turned, "attitude"), said(first_order, "attitude"))

@@ -3,106 +3,74 @@
 import numpy as np
 import sympy as sp
 
-from driftlab.quaternion import from_rotation_vector, multiply
+from driftlab.quaternion import multiply
 
-x = sp.Symbol("x")
-G1, G2 = np.array([0.3, -0.1, 0.4]), np.array([0.35, 0.15, 0.25])
-
-
-def quaternion(k):
-    return np.array([*(-2 * k), 1 - k @ k]) / (1 + k @ k)
+phi = sp.Symbol("phi")
 
 
-def step(coning):
-    """Quaternion of the step by hand, from a coning correction, scalar last."""
-    f = G1 + G2 + coning
-    return quaternion(-(1 / 4 + f @ f / 192) * f)
+def closed_formula(cross_sign):
+    """Composition of two vectors in closed form; the sign -1 of the cross product is right."""
+
+    def compose(k1, k2):
+        s1, s2 = k1 @ k1, k2 @ k2
+        above = (1 - s2) * k1 + (1 - s1) * k2 + cross_sign * 2 * np.cross(k1, k2)
+        return above / (1 + s1 * s2 - 2 * k1 @ k2)
+
+    return compose
 
 
-def with_the_cube_of_the_sum():
-    gamma, coning = G1 + G2, 2 / 3 * np.cross(G1, G2)
-    return quaternion(-(gamma + coning) / 4 - (gamma @ gamma) * gamma / 192)
+def with_scalar_first(k1, k2):
+    def quaternion(k):
+        return np.array([1 - k @ k, *(-2 * k)]) / (1 + k @ k)
 
+    scalar, *vector = multiply(quaternion(k1), quaternion(k2))
+    return -np.array(vector) / (1 + scalar)
 
-def by_half_angle():
-    f = G1 + G2 + 2 / 3 * np.cross(G1, G2)
-    k = -(1 / 4 + f @ f / 192) * f
-    return np.array([*-k, 1]) / np.sqrt(1 + k @ k)
-
-
-RIGHT_STEP = step(2 / 3 * np.cross(G1, G2))
 
 WRONG = {
     "6.1": [
-        ([4, 16], "powers of the global order"),
-        ([2, 2], "each leaves more"),
-        ([32, 8], "exchanged"),
-        ([16, 62], "the first is too large"),
-        ([4, 32], "The second is right. The first is too small"),
-        ([16, 4], "order is not the one that is asked"),
+        ("abcd", r"^not yet. \(c\)"),
+        ("abde", r"\(e\) takes what is wise"),
+        ("abdf", r"from one end of the swing to the other"),
+        ("ab", "something else is too"),
+        ("cf", "^not yet. More than one statement"),
     ],
     "6.2": [
-        (48, "A lower rate is enough"),
-        (12, "There none is below"),
-        (96, "not yet"),
+        (180, "no length is twice another"),
+        (4.19, "in radians. And in the right unit: There the two are equally long"),
+        (240, "equally long"),
+        (263.6, "exchanged"),
+        (141, "as the shadow"),
+        (109.5, "angle and its half"),
+        (np.radians(219), "asked in degrees; this is in radians"),
     ],
     "6.3": [
-        (269, "look at the order"),
-        (215, "goes by the local order"),
-        (162, "higher, not lower"),
+        ("abde", r"\(b\) is what no three numbers"),
+        ("acde", r"\(c\) is false"),
+        ("adef", r"\(f\)"),
+        ("ad", "something else is too"),
+        ("bf", "^not yet. More than one statement"),
     ],
     "6.4": [
-        ("acef", r"\(e\).*widest cone"),
-        ("abcf", r"\(b\) confuses the two orders"),
-        ("acdf", r"\(d\) draws the wrong lesson"),
-        ("af", "something else is too"),
-        ("be", "^not yet. More than one statement"),
+        (-sp.tan(phi / 4), "without the squares"),
+        (sp.tan(phi / 8), "The size is right"),
+        (lambda angle: -np.sin(angle / 8) / np.cos(angle / 8) / 2, "a constant factor is not"),
+        (-sp.tan(sp.Symbol("x") / 8), "found also x"),
     ],
     "6.5": [
-        ([27 / 40, 9 / 20, 27 / 40], "Miller"),
-        ([57 / 80, 57 / 80, 33 / 80], "first increment and the last"),
-        ([57 / 40, 33 / 40, 57 / 40], "one common factor"),
-        ([-57 / 320, -33 / 320, -57 / 320], "belong to k"),
+        ("abcd", r"\(b\).*denominator"),
+        ("acde", r"\(e\) looks at the length"),
+        ("acdf", r"\(f\)"),
+        ("ac", "something else is too"),
+        ("bf", "^not yet. More than one statement"),
     ],
     "6.6": [
-        (sp.Rational(1, 12), "limit for a cone"),
-        ((x - sp.sin(x)) / (2 * x**2 * sp.sin(x)), "arc for the chord"),
-        ((x - sp.sin(x)) / (4 * sp.sin(x / 2) ** 2 * sp.sin(x)), "a constant factor is not"),
-        (-(x - sp.sin(x)) / (8 * sp.sin(x / 2) ** 2 * sp.sin(x)), "sign is reversed"),
-    ],
-    "6.7": [
-        (np.roll(RIGHT_STEP, 1), "scalar stands first"),
-        (RIGHT_STEP * [-1, -1, -1, 1], "k points against the axis"),
-        (step(2 / 3 * np.cross(G2, G1)), "factors exchanged"),
-        (by_half_angle(), "quarter of the angle"),
-        (step(np.zeros(3)), "cross product is missing"),
-        (with_the_cube_of_the_sum(), "takes the corrected sum"),
+        (closed_formula(+1), "factors are exchanged"),
+        (lambda k1, k2: k1 + k2, "small angles only"),
         (
-            multiply(from_rotation_vector(G2), from_rotation_vector(G1)),
-            "the first of the two has to be on the left",
+            lambda k1, k2: (k1 + k2 - np.cross(k1, k2)) / (1 - k1 @ k2),
+            "vectors of dimension 3",
         ),
-    ],
-    "6.8": [
-        ("acdf", r"\(a\) trusts a table"),
-        ("bcdf", r"\(b\) trusts a spline"),
-        ("cdef", r"\(e\) is false"),
-        ("cf", "something else is too"),
-        ("ae", "^not yet. More than one statement"),
-    ],
-    "6.9": [
-        (16, "fourth order of the pair"),
-        (32, "with an odd number"),
-        (128, "power of a single window"),
-        (256, "window of six"),
-        (1 / 61.7, "the old one over the new"),
-        (50, "not yet"),
-    ],
-    "6.10": [
-        (0, "another one at each moment"),
-        (-90, "on its left"),
-        (270, "do not add up"),
-        (-270, "whole turn makes no difference"),
-        (-np.pi / 2, "in radians, and of the opposite sign"),
-        (180, "angle and its half"),
+        (with_scalar_first, "scalar is first"),
     ],
 }

@@ -3,41 +3,106 @@
 import numpy as np
 import sympy as sp
 
-_X, _Y, _Z = sp.symbols("kappa_1:4")
-_CROSS = sp.Matrix([[0, -_Z, _Y], [_Z, 0, -_X], [-_Y, _X, 0]])
+from driftlab.quaternion import from_rotation_vector, multiply
+
+x = sp.Symbol("x")
+G1, G2 = np.array([0.3, -0.1, 0.4]), np.array([0.35, 0.15, 0.25])
+
+
+def quaternion(k):
+    return np.array([*(-2 * k), 1 - k @ k]) / (1 + k @ k)
+
+
+def step(coning):
+    """Quaternion of the step by hand, from a coning correction, scalar last."""
+    f = G1 + G2 + coning
+    return quaternion(-(1 / 4 + f @ f / 192) * f)
+
+
+def with_the_cube_of_the_sum():
+    gamma, coning = G1 + G2, 2 / 3 * np.cross(G1, G2)
+    return quaternion(-(gamma + coning) / 4 - (gamma @ gamma) * gamma / 192)
+
+
+def by_half_angle():
+    f = G1 + G2 + 2 / 3 * np.cross(G1, G2)
+    k = -(1 / 4 + f @ f / 192) * f
+    return np.array([*-k, 1]) / np.sqrt(1 + k @ k)
+
+
+RIGHT_STEP = step(2 / 3 * np.cross(G1, G2))
 
 WRONG = {
     "7.1": [
-        ([20, 0, 0, -20], "rotation of the components"),
-        ([40, 0, 0, 20], "each side of the diagonal"),
-        ([40, 0, 0, 40], "gyro x alone"),
-        ([0, 0, 0, 40], "Has gyro y turned"),
-        ([20, 20, 0, 0], "axis of the turn"),
+        ([4, 16], "powers of the global order"),
+        ([2, 2], "each leaves more"),
+        ([32, 8], "exchanged"),
+        ([16, 62], "the first is too large"),
+        ([4, 32], "The second is right. The first is too small"),
+        ([16, 4], "order is not the one that is asked"),
     ],
     "7.2": [
-        ([[0, -40, 0], [40, 0, 0], [0, 0, 0]], "axis z has not moved"),
-        ([[0, -40, -40], [-40, 0, -40], [-40, -40, 0]], "non-orthogonality and nothing else"),
-        ([[0, 40, -40], [-40, 0, 40], [40, -40, 0]], "All misalignments are negative"),
+        (48, "A lower rate is enough"),
+        (12, "There none is below"),
+        (96, "not yet"),
     ],
     "7.3": [
-        ("abde", r"\(b\)"),
-        ("acde", r"\(c\)"),
-        ("adef", r"\(f\)"),
-        ("ad", "something else is too"),
-        ("bf", "^not yet. More than one statement"),
+        (269, "look at the order"),
+        (215, "goes by the local order"),
+        (162, "higher, not lower"),
     ],
     "7.4": [
-        # By the formula of first order: C κ is (κ_y, κ_z, κ_x) at first, and κ itself at the end.
-        ([[-30, 20, 60], [90, -50, -40]], "wrong sign"),
-        ([[30, -20, -60], [30, -20, -60]], "already"),
-        ([[-60, 30, -20], [90, -50, -40]], r"C\(0\) is missing"),
-        (np.radians([[30, -20, -60], [90, -50, -40]]) / 3600, "this is in radians"),
+        ("acef", r"\(e\).*widest cone"),
+        ("abcf", r"\(b\) confuses the two orders"),
+        ("acdf", r"\(d\) draws the wrong lesson"),
+        ("af", "something else is too"),
+        ("be", "^not yet. More than one statement"),
     ],
     "7.5": [
-        (sp.zeros(3, 3), "symmetric part of a sum"),
-        (lambda x, y, z: np.zeros((3, 3)), "symmetric part of a sum"),
-        (-_CROSS * _CROSS, "the square of what you want"),
-        (_CROSS * _CROSS / 2, "true rotation"),
-        (sp.diag(_Y**2 + _Z**2, _X**2 + _Z**2, _X**2 + _Y**2) / 2, "angles between them"),
+        ([27 / 40, 9 / 20, 27 / 40], "Miller"),
+        ([57 / 80, 57 / 80, 33 / 80], "first increment and the last"),
+        ([57 / 40, 33 / 40, 57 / 40], "one common factor"),
+        ([-57 / 320, -33 / 320, -57 / 320], "belong to k"),
+    ],
+    "7.6": [
+        (sp.Rational(1, 12), "limit for a cone"),
+        ((x - sp.sin(x)) / (2 * x**2 * sp.sin(x)), "arc for the chord"),
+        ((x - sp.sin(x)) / (4 * sp.sin(x / 2) ** 2 * sp.sin(x)), "a constant factor is not"),
+        (-(x - sp.sin(x)) / (8 * sp.sin(x / 2) ** 2 * sp.sin(x)), "sign is reversed"),
+    ],
+    "7.7": [
+        (np.roll(RIGHT_STEP, 1), "scalar stands first"),
+        (RIGHT_STEP * [-1, -1, -1, 1], "k points against the axis"),
+        (step(2 / 3 * np.cross(G2, G1)), "factors exchanged"),
+        (by_half_angle(), "quarter of the angle"),
+        (step(np.zeros(3)), "cross product is missing"),
+        (with_the_cube_of_the_sum(), "takes the corrected sum"),
+        (
+            multiply(from_rotation_vector(G2), from_rotation_vector(G1)),
+            "the first of the two has to be on the left",
+        ),
+    ],
+    "7.8": [
+        ("acdf", r"\(a\) trusts a table"),
+        ("bcdf", r"\(b\) trusts a spline"),
+        ("cdef", r"\(e\) is false"),
+        ("cf", "something else is too"),
+        ("ae", "^not yet. More than one statement"),
+    ],
+    "7.9": [
+        (16, "fourth order of the pair"),
+        (32, "with an odd number"),
+        (128, "power of a single window"),
+        (256, "window of six"),
+        (1 / 61.7, "the old one over the new"),
+        (50, "not yet"),
+    ],
+    "7.10": [
+        (0, "another one at each moment"),
+        (-90, "on its left"),
+        (270, "do not add up"),
+        (-270, "whole turn makes no difference"),
+        (-np.pi / 2, "in radians, and of the opposite sign"),
+        (180, "angle and its half"),
     ],
 }

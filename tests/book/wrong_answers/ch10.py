@@ -1,67 +1,43 @@
 """Wrong answers to the exercises of chapter 10."""
 
+import numpy as np
 import sympy as sp
 
-U, g = sp.symbols("U g", positive=True)
-phi, v_1, v_3 = sp.symbols("varphi v_1 v_3", real=True)
+_X, _Y, _Z = sp.symbols("kappa_1:4")
+_CROSS = sp.Matrix([[0, -_Z, _Y], [_Z, 0, -_X], [-_Y, _X, 0]])
 
 WRONG = {
     "10.1": [
-        ([119, 0, 0.2], "way North turns the level rate"),
-        ([0, 55, 0.2], "does not follow it"),
-        ([0, 0, 0], "a part of it looks like a tilt"),
-        ([0, 0, 0.4], "about the middle"),
-        ([0, 0, 1], "first and second are right. The third is too large"),
+        ([20, 0, 0, -20], "rotation of the components"),
+        ([40, 0, 0, 20], "each side of the diagonal"),
+        ([40, 0, 0, 40], "gyro x alone"),
+        ([0, 0, 0, 40], "Has gyro y turned"),
+        ([20, 20, 0, 0], "axis of the turn"),
     ],
     "10.2": [
-        ("abcd", r"^not yet. \(c\)"),
-        ("abde", r"\(e\)"),
-        ("abdf", r"\(f\)"),
-        ("ab", "something else is too"),
-        ("cf", "^not yet. More than one statement"),
+        ([[0, -40, 0], [40, 0, 0], [0, 0, 0]], "axis z has not moved"),
+        ([[0, -40, -40], [-40, 0, -40], [-40, -40, 0]], "non-orthogonality and nothing else"),
+        ([[0, 40, -40], [-40, 0, 40], [40, -40, 0]], "All misalignments are negative"),
     ],
     "10.3": [
-        (297, "swings out twice as far"),
-        (0.00168, "the other one"),
-        (472, "Not the sine"),
+        ("abde", r"\(b\)"),
+        ("acde", r"\(c\)"),
+        ("adef", r"\(f\)"),
+        ("ad", "something else is too"),
+        ("bf", "^not yet. More than one statement"),
     ],
     "10.4": [
-        ([0, 0.116], "the other way round"),
-        ([0.1224, 0], "makes the horizon swing"),
-        ([0.0973, 0], "Sine for cosine"),
-        ([0.02, 0], "angle by which the gyro has drifted"),
+        # By the formula of first order: C κ is (κ_y, κ_z, κ_x) at first, and κ itself at the end.
+        ([[-30, 20, 60], [90, -50, -40]], "wrong sign"),
+        ([[30, -20, -60], [30, -20, -60]], "already"),
+        ([[-60, 30, -20], [90, -50, -40]], r"C\(0\) is missing"),
+        (np.radians([[30, -20, -60], [90, -50, -40]]) / 3600, "this is in radians"),
     ],
     "10.5": [
-        (1, "Schuler's own"),
-        (1.05, "at the end"),
-        (0.8, "too far"),
-    ],
-    "10.6": [
-        (U * sp.sin(phi) * v_3 / g, "Look at the sign"),
-        (-2 * U * sp.sin(phi) * v_3 / g, "whole Coriolis force"),
-        (-U * sp.cos(phi) * v_3 / g, "about Up"),
-        (-U * sp.sin(phi) * v_1 / g, "tilts about North"),
-    ],
-    "10.7": [
-        (0.0006, "without any outliers"),
-        (0.5, "Too large, by about a power of ten"),
-        (0.945, "the share of those that are not meant"),
-        (5.6, "this is in %"),
-        (0.0777, "n - 1 below"),
-    ],
-    "10.8": [
-        ([0.197, 0.0673, 75.3], "the limit grows as well"),
-        ([0.197, 0.197, 86.4], "four times, not once"),
-        ([0.197, 0.197, 82.7], "not twice"),
-        ([0.197, 0.197, 67.6], "change of speed"),
-        ([11.28, 11.28, 75.3], "in radians"),
-        ([0.1, 0.1, 50], r"^not yet"),
-    ],
-    "10.9": [
-        ([0.366, 0.1981, 2.29e-4], "slower than an undamped one"),
-        ([0.344, 159.7, 2.743e-4], "times the frequency"),
-        ([0.344, 0.1233, 1.341e-4], "Only the level part"),
-        ([0.34409, 0.198112, 86.2837], "whole rate"),
-        ([0.34409, 0.0072467, 0.0049870], "tilt of the horizon"),
+        (sp.zeros(3, 3), "symmetric part of a sum"),
+        (lambda x, y, z: np.zeros((3, 3)), "symmetric part of a sum"),
+        (-_CROSS * _CROSS, "the square of what you want"),
+        (_CROSS * _CROSS / 2, "true rotation"),
+        (sp.diag(_Y**2 + _Z**2, _X**2 + _Z**2, _X**2 + _Y**2) / 2, "angles between them"),
     ],
 }

@@ -1,51 +1,80 @@
 """Wrong answers to the exercises of chapter 13."""
 
-import numpy as np
+import sympy as sp
 
-T = np.array([[1, 0.006, 0.001], [0.008, 1, -0.054], [0.025, -0.003, 1]])
-SCALES = np.diag([0.000209, 0.000210, 0.000209])
+Psi, theta, gamma, phi, delta = sp.symbols("Psi theta gamma varphi delta", real=True)
+U, g = sp.symbols("U g", positive=True)
+d_x, d_z, a_x, a_y, a_z = sp.symbols("d_x d_z a_x a_y a_z", real=True)
+
+right_alone = d_z / (U * sp.cos(phi) * sp.cos(Psi)) - a_z * sp.tan(phi) / (g * sp.cos(Psi))
 
 WRONG = {
     "13.1": [
-        ([-7.20, 6.40], "do not add up"),
-        ([-367.20, 6.40], "a whole turn of it is true"),
-        ([7.255, -0.126], "negative sense"),
-        ([0, 0], "About x more is left"),
+        ([0, 0.306], "from North to West"),
+        ([-0.306, 0], "a drift about North does nothing"),
+        ([0, -0.243], "sine of the latitude"),
+        ([0, -0.19], "only its level part"),
+        ([0, -0.00534], "asked in degrees"),
     ],
     "13.2": [
-        ([0.000347, 0.302], "The mean of both"),
-        ([0.5778, 0.302], "part of the turn"),
-        ([0.01167, 0.302], "One turn alone"),
-        ([0.001605, -0.302], "look at its sign"),
-        ([0.01008, 0.302], "over 2π"),
+        ("abcd", r"^not yet. \(c\)"),
+        ("abde", r"\(e\)"),
+        ("ab", "something else is too"),
+        ("ce", "^not yet. More than one statement"),
     ],
     "13.3": [
-        (169.7, "root of three"),
-        (32, "square of the quantisation"),
-        (918.6, "later crossing"),
-        (50, "factor of two"),
+        (0, "true of a level box"),
+        (sp.tan(theta) * a_z / g, "upper accelerometer"),
+        (sp.tan(theta) * (a_z * sp.cos(gamma) - a_y * sp.sin(gamma)) / g, "Look at the sign"),
+        (sp.tan(theta) * (a_z * sp.cos(gamma) + a_y * sp.sin(gamma)), "divided by g"),
+        (
+            sp.tan(theta)
+            * (
+                (a_z * sp.cos(gamma) + a_y * sp.sin(gamma))
+                * (sp.cos(Psi) ** 2 + sp.sin(Psi) ** 2 * sp.tan(phi))
+                + sp.sin(Psi)
+                * sp.cos(Psi)
+                * (sp.tan(phi) - 1)
+                * (
+                    a_x * sp.cos(theta)
+                    + (a_z * sp.sin(gamma) - a_y * sp.cos(gamma)) * sp.sin(theta)
+                )
+            )
+            / g,
+            "paper's factor",
+        ),
     ],
     "13.4": [
-        (T @ SCALES * 4778 - np.eye(3), "Ours goes the other way"),
-        (np.eye(3) - T @ SCALES * 4778, "invert the matrix"),
-        (np.linalg.inv(SCALES @ T) / 4778 - np.eye(3), "the other way round"),
-        (np.linalg.inv(T @ SCALES).T / 4778 - np.eye(3), "changed places"),
-        (np.linalg.inv(T @ SCALES) / 4778, "unit matrix is still in it"),
-        (np.linalg.inv(T) - np.eye(3), "scales have errors too"),
+        (-41, "bow must be raised"),
+        (65, "takes away"),
+        (41, "helped each other"),
+        (1.284, "asked in degrees"),
     ],
     "13.5": [
-        (2.303, "lean alone"),
-        (0.2112, "noise alone"),
-        (1.9786, "only its level part"),
-        (3.626, "sine of the latitude"),
-        (3.116, "squares add up"),
-        (8690, "asked in h"),
+        (right_alone, "A wrong latitude"),
+        (d_z / (U * sp.cos(phi)) - a_z * sp.tan(phi) / g, "heading zero only"),
+        (right_alone - sp.tan(Psi) * sp.tan(phi) * delta, "farther North"),
+        (
+            -(d_x / (U * sp.cos(phi)) - a_x * sp.tan(phi) / g + sp.cos(Psi) * sp.tan(phi) * delta)
+            / sp.sin(Psi),
+            "without the right gyro",
+        ),
     ],
     "13.6": [
-        ("abcd", r"\(b\)"),
-        ("acde", r"\(e\)"),
-        ("acdf", r"\(f\)"),
-        ("ac", "something else is too"),
-        ("bf", "^not yet. More than one statement"),
+        (100, r"^not yet\. Too small\.$"),
+        (400, r"^not yet\. Too large\.$"),
+        (114, "drift at the end"),
+        (624, "Ten samples"),
+        (1971, "number of samples"),
+        (3.29, "asked in s"),
+    ],
+    "13.7": [
+        (1150, r"^not yet\. Too small\.$"),
+        (1400, r"^not yet\. Too large\.$"),
+        (610.6, "time of one position"),
+        (888.8, "after half a turn"),
+        (748.7, "half of its error"),
+        (1088, "change of the drifts counts"),
+        (0.339, "asked in s"),
     ],
 }

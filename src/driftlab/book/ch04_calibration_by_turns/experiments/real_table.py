@@ -20,7 +20,7 @@ from .calibrations import SENSES, error_matrix
 from .turns import SEED
 
 SIGMA_ON_TABLE: FloatArray = np.array([-30.0, 20.0, 30.0]) * arcsecond
-"""True sigmas, rad; chapter 11 has the same triad."""
+"""True sigmas, rad; chapter 16 has the same triad."""
 BOTH = SENSES["both"]
 """Counter-clockwise, then clockwise, about each of Yates's four axes."""
 WAYS = ("one sense", "both senses", "one sense, common offset", "both senses, common offset")

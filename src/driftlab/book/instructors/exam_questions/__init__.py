@@ -17,6 +17,6 @@ COMPULSORY = (
     at_rest,
     under_way,
 )
-"""Chapters 01 to 04, 07, 09 and 10."""
+"""Chapters 01 to 04, 10, 13 and 14."""
 BY_CHOICE = (cayley_vectors, coning_step, calibration_step, turned_by_hand)
-"""Chapters 05, 06, 08 and 13."""
+"""Chapters 06, 07, 11 and 17."""

@@ -19,7 +19,7 @@ COURSES = {"North-East": 45, "North-West": 315, "South-East": 135, "South-West":
 
 
 def at_rest(draw: Generator) -> Question:
-    """Chapter 09: heading and latitude from three gyros, a drift, and how long to average."""
+    """Chapter 13: heading and latitude from three gyros, a drift, and how long to average."""
     latitude = np.radians(draw.integers(36, 64))
     heading = np.radians(draw.integers(20, 70) + 90 * draw.integers(-2, 2))
     drift = float(draw.choice([0.01, 0.02, 0.03, 0.04]) * draw.choice([-1, 1]))
@@ -53,7 +53,7 @@ def at_rest(draw: Generator) -> Question:
     return question(
         draw,
         rf"""
-        09, 8 minutes: A compass at rest
+        13, 8 minutes: A compass at rest
         compute heading, pitch, roll and latitude from six sensor readings
 
         A level box is at rest somewhere north of the equator. Its gyros, which point forward, up
@@ -113,7 +113,7 @@ def at_rest(draw: Generator) -> Question:
 
 
 def under_way(draw: Generator) -> Question:
-    """Chapter 10: the speed error, a speed log that errs, and an oscillating horizon."""
+    """Chapter 14: the speed error, a speed log that errs, and an oscillating horizon."""
     degrees = int(draw.integers(38, 66))
     latitude = np.radians(degrees)
     course = list(COURSES)[int(draw.integers(len(COURSES)))]
@@ -147,7 +147,7 @@ def under_way(draw: Generator) -> Question:
     return question(
         draw,
         rf"""
-        10, 8 minutes: A compass under way
+        14, 8 minutes: A compass under way
         derive the error of the compass at work
 
         A ship at latitude {degrees}° North makes {knots} knots (1 knot is {knot:.4f} m/s) on a

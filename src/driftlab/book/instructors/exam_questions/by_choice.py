@@ -17,7 +17,7 @@ from .turns import ARCSEC
 
 
 def cayley_vectors(draw: Generator) -> Question:
-    """Chapter 05: two vectors of one rotation, the shadow, and where they become infinite."""
+    """Chapter 06: two vectors of one rotation, the shadow, and where they become infinite."""
     angle = int(draw.choice([100, 110, 130, 140, 160, 200, 220, 230, 250, 260]))
     more = int(draw.choice([25, 35, 45]))
     rate = int(draw.choice([8, 12, 16, 24, 30]))
@@ -38,7 +38,7 @@ def cayley_vectors(draw: Generator) -> Question:
     return question(
         draw,
         rf"""
-        05, 12 minutes: A rotation without a sine
+        06, 12 minutes: A rotation without a sine
         turn a rotation into a Cayley vector of dimension 3 or 4
 
         A body is rotated by {angle}° about the axis $e = ({", ".join(f"{x:g}" for x in axis)})$.
@@ -96,7 +96,7 @@ def cayley_vectors(draw: Generator) -> Question:
 
 
 def coning_step(draw: Generator) -> Question:
-    """Chapter 06: one step with a coning correction, and the drift without."""
+    """Chapter 07: one step with a coning correction, and the drift without."""
     one, two = np.array([draw.permutation([-3, -2, -1, 1, 2, 3, 4])[:3] for _ in range(2)])
     while not np.cross(one, two).all():
         two = draw.permutation([-3, -2, -1, 1, 2, 3, 4])[:3]
@@ -121,7 +121,7 @@ def coning_step(draw: Generator) -> Question:
     return question(
         draw,
         rf"""
-        06, 12 minutes: A step on a cone
+        07, 12 minutes: A step on a cone
         predict the drift on a coning motion from a closed formula
 
         Two successive angle increments are $\gamma_1 =$ {rows[0]} and $\gamma_2 =$ {rows[1]}
@@ -187,7 +187,7 @@ def coning_step(draw: Generator) -> Question:
 
 
 def calibration_step(draw: Generator) -> Question:
-    """Chapter 08: one step of a Kalman filter with two states, by hand."""
+    """Chapter 11: one step of a Kalman filter with two states, by hand."""
     angle, bias = float(draw.integers(2, 6)), float(draw.integers(2, 6))
     time = float(draw.choice([2.0, 3.0]))
     noise = float(draw.integers(3, 8))
@@ -215,7 +215,7 @@ def calibration_step(draw: Generator) -> Question:
     return question(
         draw,
         rf"""
-        08, 12 minutes: One step of a filter
+        11, 12 minutes: One step of a filter
         write one step of a Kalman filter in ten lines
 
         A filter has two states, an angle (standard deviation {angle:g}″) and the bias of the gyro
@@ -281,7 +281,7 @@ def calibration_step(draw: Generator) -> Question:
 
 
 def turned_by_hand(draw: Generator) -> Question:
-    """Chapter 13: whole turns by hand in both directions, and an Allan plot."""
+    """Chapter 17: whole turns by hand in both directions, and an Allan plot."""
     turns = int(draw.choice([5, 10]))
     seconds = int(draw.choice([30, 40, 50, 60]))
     number = float(draw.choice([-1, 1]) * draw.integers(20, 90)) * 1e-4
@@ -305,7 +305,7 @@ def turned_by_hand(draw: Generator) -> Question:
     return question(
         draw,
         rf"""
-        13, 12 minutes: Turned by hand
+        17, 12 minutes: Turned by hand
         calibrate a gyro by turning it with your hands
 
         Somebody turns a phone about its axis {turns} whole times in {seconds} seconds; its gyro

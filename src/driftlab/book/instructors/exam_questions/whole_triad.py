@@ -22,7 +22,7 @@ MOUNTINGS = {
 
 
 def three_parts(draw: Generator) -> Question:
-    """Chapter 07: scale factors, non-orthogonality, misalignment, and what nobody can find."""
+    """Chapter 10: scale factors, non-orthogonality, misalignment, and what nobody can find."""
     scale = draw.permutation([-1, 1, 1]) * draw.integers(15, 60, 3)
     sums = draw.permutation([-1, 1, -1]) * draw.integers(5, 25, 3)
     turn = draw.permutation([-1, 1, 1]) * draw.permutation(np.arange(8, 40))[:3]
@@ -42,7 +42,7 @@ def three_parts(draw: Generator) -> Question:
     return question(
         draw,
         rf"""
-        07, 8 minutes: Three parts of one matrix
+        10, 8 minutes: Three parts of one matrix
         take an error matrix apart into scale, non-orthogonality and misalignment
 
         The gyros of a box measure $(I + K)\,\omega$ with $K = {matrix(entries)}$ arc seconds.

@@ -127,7 +127,7 @@ Question: TypeAlias = Number | Choice
 class Puzzle:
     """The puzzle that opens a chapter."""
 
-    chapter: str  # its number, "00" to "13"
+    chapter: str  # its number, "00" to "17"
     edition: int  # counts up when the puzzle asks something else: an older guess is no guess at it
     questions: tuple[Question, ...]  # what it asks
     # a sentence or two that stand under the answer. ``{0}`` is the first answer with its unit

@@ -1,0 +1,10 @@
+"""The experiments of chapter 06: Cayley vectors, and the Riccati equation through whole turns."""
+
+from .riccati import WAYS as WAYS, riccati_turns as riccati_turns
+from .vectors import (
+    EXAMPLE as EXAMPLE,
+    REACH as REACH,
+    VECTORS as VECTORS,
+    cayley_map as cayley_map,
+    shadow_steps as shadow_steps,
+)

@@ -1,0 +1,34 @@
+"""The published figures of chapter 06, with their captions."""
+
+import numpy as np
+
+from driftlab.book.machinery.figure.publish import FigureDefinition
+
+from .. import experiments
+from . import cayley_map, riccati_turns
+
+FIGURES = (
+    FigureDefinition(
+        "06-cayley-map",
+        experiments.cayley_map,
+        cayley_map.CayleyMapPicture.draw,
+        lambda data: (
+            "The two Cayley vectors of a rotation about a given axis. The vector of dimension 3 is "
+            "infinite at half a turn (thin lines), that of dimension 4 at a whole turn (thick "
+            "lines at the edges); there its shadow, the vector of the quaternion with the other "
+            f"sign, is zero. The marks are at {np.degrees(data.angle):.0f}°."
+        ),
+    ),
+    FigureDefinition(
+        "06-riccati-turns",
+        experiments.riccati_turns,
+        riccati_turns.draw,
+        lambda data: (
+            f"A body that passes the whole turn at {np.degrees(data.miss):.0f}° from the singular "
+            "attitude. The vector k, with and without the switch to its shadow: about a fixed axis "
+            f"it ends at a length of {data.longest:.0e}. A fixed step "
+            "loses digits at the singularity for good. A variable step reaches the same accuracy, "
+            "with more work; each dot is a tolerance, each line a distance from the singularity."
+        ),
+    ),
+)

@@ -1,8 +1,0 @@
-"""Living scenes of chapter 10: a ship and what its compass shows, and Schuler's pendulum."""
-
-from .pendulum import SchulerPendulum
-from .ship import ShipUnderWay
-
-__all__ = ["SCENES", "SchulerPendulum", "ShipUnderWay"]
-
-SCENES = (ShipUnderWay, SchulerPendulum)

@@ -1,1 +1,0 @@
-"""Chapter 12, the equation ledger and glossary: its puzzle; the rest shows what the others hold."""

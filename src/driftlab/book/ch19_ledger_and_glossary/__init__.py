@@ -1,0 +1,1 @@
+"""Chapter 19, the equation ledger and glossary: its puzzle; the rest shows what the others hold."""
