@@ -15,10 +15,10 @@ from driftlab.earth import EARTH_RATE
 from driftlab.noise_terms import NoiseTerms
 
 CROSSING, NOISE = 8.0, NoiseTerms(300 * arcsecond, 1 * degree / np.sqrt(hour))
-"""Of 13.3: where the lines are to cross, s, and the noise with which the panel opens."""
+"""Of 17.3: where the lines are to cross, s, and the noise with which the panel opens."""
 
 WANTED = 0.1 * degree
-"""Of 13.5: the deviation of the heading that is wanted."""
+"""Of 17.5: the deviation of the heading that is wanted."""
 
 
 def _after_the_turn(added: FloatArray) -> FloatArray:

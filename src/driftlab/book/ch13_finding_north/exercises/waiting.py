@@ -14,10 +14,10 @@ from driftlab.earth import EARTH_RATE
 from ..experiments import WHITE, gyro_noise
 
 NOISE, WALK = gyro_noise(WHITE[0], gauss_markov=0.0), 0.01 * degree / hour / np.sqrt(hour)
-"""Of 9.6: the white noise, and the walk of the drift in rad/s per root of a second."""
+"""Of 13.6: the white noise, and the walk of the drift in rad/s per root of a second."""
 
 GOAL = 0.1 * degree
-"""Of 9.7: the deviation of the heading that is wanted."""
+"""Of 13.7: the deviation of the heading that is wanted."""
 
 
 @cache

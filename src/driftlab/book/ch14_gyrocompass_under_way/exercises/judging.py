@@ -44,7 +44,7 @@ def _without_outliers() -> float:
 def _drift_and_latitude(
     aside: float = 1.0, secant: bool = True, shown: float = 4.0, of: str = "turn"
 ) -> FloatArray:
-    """Largest level drifts at the equator and at 70 degrees, deg/h, and latitude of 10.8, deg."""
+    """Largest level drifts at the equator and at 70 degrees, deg/h, and latitude of 14.8, deg."""
     share = LIMITS["settle point"].size * EARTH_RATE / (degree / hour) * aside
     level = shown * TURNING_DRIFT / (EARTH_RATE * LIMITS[of].size)
     north = share if secant else share * np.cos(HIGH_LATITUDE)

@@ -30,7 +30,7 @@ TO_THE_EAST = {"course": -QUARTER_TURN, "turn": 0.0}
 """A voyage without a turn."""
 LOG_ERROR = 0.1
 HOURS = 2.0
-"""Of 10.4: the length of the voyage."""
+"""Of 14.4: the length of the voyage."""
 
 
 @cache
@@ -45,7 +45,7 @@ def _to_the_east() -> FloatArray:
 
 
 def _guess(speed_error_angle: float = 0.0, gathering: float = 0.0, even: float = 1.0) -> FloatArray:
-    """Answer to 10.1 in arc minutes; the tilt on an even way counts in U sin(latitude) v/g."""
+    """Answer to 14.1 in arc minutes; the tilt on an even way counts in U sin(latitude) v/g."""
     hanging = even * EARTH_RATE * np.sin(LATITUDE) * SPEED / GRAVITY
     return np.array([speed_error_angle, gathering, hanging]) / arcminute
 
@@ -79,7 +79,7 @@ def _heading_and_yaw(latitude: float, growth: float) -> FloatArray:
 
 
 def _no_swing(growth: float, share: float) -> list[float]:
-    """Answer to 10.4 if the last drift stood against this share of the Earth's rate."""
+    """Answer to 14.4 if the last drift stood against this share of the Earth's rate."""
     return [growth * HOURS / hour / (EARTH_RATE * share), 0.0]
 
 
