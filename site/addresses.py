@@ -54,5 +54,5 @@ def slug(text: str) -> str:
 
 
 def section_label(chapter: str, heading: str) -> str:
-    """Return the label of a section of a chapter, by which all pages link to it."""
-    return f"chapter-{chapter}-{slug(heading)}"
+    """Return the label of a section of a chapter, or of "papers/larin", for links to it."""
+    return f"chapter-{slug(chapter)}-{slug(heading)}"

@@ -25,9 +25,9 @@ KEPT = ROOT / "_executed"
 COPY = ROOT / "build/site/run"
 """A copy of the book to run in: what a notebook writes stays out of the book's own folder."""
 FOLDER = ROOT / "notebooks"
-PUBLISHED = ("", "solutions")
+PUBLISHED = ("", "papers", "solutions")
 """Folders of the book that the site shows; what students should not find is in none of them."""
-LONGEST = ("08_", "06_")
+LONGEST = ("11_", "12_", "07_", "18_")
 """Beginnings of those that run longest: they are begun first."""
 AT_ONCE = 2
 # Matrices as small as the book's are done sooner by one thread, and kernels do not share threads.
@@ -60,7 +60,15 @@ def executed(wanted: Iterable[str] | None = None) -> dict[str, NotebookNode]:
         shutil.copytree(FOLDER, COPY, ignore=shutil.ignore_patterns("*_checkpoints", "*.json"))
         with ThreadPoolExecutor(AT_ONCE) as threads:
             found |= zip(missing, threads.map(_run, missing), strict=True)
-    return {name: found[name] for name in wanted}
+    return {name: _in_view(found[name]) for name in wanted}
+
+
+def _in_view(notebook: NotebookNode) -> NotebookNode:
+    """A notebook without the cells that only check the book; JupyterLab hides their code."""
+    notebook.cells = [
+        cell for cell in notebook.cells if not cell.metadata.get("jupyter", {}).get("source_hidden")
+    ]
+    return notebook
 
 
 def keep(name: str, run: NotebookNode) -> NotebookNode:

@@ -30,29 +30,30 @@ class Part(NamedTuple):
 PARTS = (
     Part("Before you start", "", ("00_",)),
     Part(
-        "Part I: A bent triad and its drift",
+        "Part I: A misaligned triad",
         "V. B. Larin, On the calibration of a spatial angular-rate meter, received 1987",
-        ("01_", "02_", "03_", "04_"),
+        ("01_", "02_", "03_", "04_", "05_"),
     ),
     Part(
-        "Part II: The computer's attitude",
+        "Part II: Attitude from gyros",
         "S. E. Perelyaev, Yu. N. Chelnokov, New algorithms for determining the inertial "
         "orientation of an object, 2014",
-        ("05_", "06_"),
+        ("06_", "07_", "08_"),
     ),
     Part(
-        "Part III: A whole system calibrated",
+        "Part III: A whole inertial unit",
         "Wu Huali, Xiao Zhicai, Zhou Dawang, Wang Lingling, on decoupling installation-error "
         "matrices, 2018",
-        ("07_", "08_"),
+        ("09_", "10_", "11_", "12_"),
     ),
     Part(
-        "Part IV: From the drift to the heading",
+        "Part IV: Finding North",
         "P. K. Plotnikov, A. V. Mikheev, S. G. Naumov, Errors of a strapdown gyrocompass for "
         "objects with unlimited rotation angles",
-        ("09_", "10_"),
+        ("13_", "14_", "15_", "16_", "17_"),
     ),
-    Part("All four together", "", ("11_", "12_", "13_")),
+    Part("Aside", "", ("18_", "19_")),
+    Part("The papers, read closely", "", ("papers/",)),
     Part(
         "Appendices",
         "",

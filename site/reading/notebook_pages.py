@@ -15,7 +15,7 @@ import nbformat
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
-from addresses import PDF, live_address, section_label
+from addresses import PDF, live_address, section_label, slug
 from reading.folds import FOLDED
 from reading.links import with_links
 from reading.outputs import Outputs, has_room
@@ -48,10 +48,10 @@ def notebook_pages(
         number = chapter.number if chapter else ""
         outputs = Outputs(pictures, name.removesuffix(".ipynb"), number)
         cells = deepcopy(notebook.cells)
-        if folder:
+        if folder == "solutions":
             link_back(cells, number)
-        elif chapter:
-            _add_places(cells, number)
+        elif chapter or folder:
+            _add_places(cells, number or name.removesuffix(".ipynb").split("_")[0])
         cells = [*_shown(cells, name, outputs)]
         if not folder:
             _add_ways(cells[0], name, chapter)
@@ -72,7 +72,7 @@ def _add_places(cells: list[NotebookNode], number: str) -> None:
 
 
 def _place(heading: re.Match[str], number: str) -> str:
-    return f"chapter-{number}" if heading[1] == "#" else section_label(number, heading[2])
+    return f"chapter-{slug(number)}" if heading[1] == "#" else section_label(number, heading[2])
 
 
 def _shown(cells: list[NotebookNode], name: str, outputs: Outputs) -> Iterator[NotebookNode]:

@@ -10,7 +10,14 @@ from collections.abc import Sequence
 from functools import cache
 
 from addresses import section_label, slug
-from driftlab.book.ledger import SEVERITIES, STATUSES, WORKS, LedgerEntry, ledger_entries
+from driftlab.book.ledger import (
+    SEVERITIES,
+    STATUSES,
+    WORKS,
+    LedgerEntry,
+    ledger_entries,
+    place_of,
+)
 from reading.doors import documented, home
 
 
@@ -26,7 +33,7 @@ def shown_label(entry: LedgerEntry) -> str:
 
 def place_label(entry: LedgerEntry) -> str:
     """Return the target of links to the place where the book treats an entry."""
-    return section_label(entry.chapter, entry.section)
+    return section_label(entry.notebook.split("_")[0], entry.section)
 
 
 @cache
@@ -45,7 +52,7 @@ def in_the_papers(place: str) -> list[str]:
     lines = [
         f"- :ref:`{short(entry.paper)}, {entry.label} <{entry_label(entry)}>`, *{entry.status}*: "
         f"{as_rst(entry.says)} "
-        f":ref:`Chapter {entry.chapter} <{place_label(entry)}>` treats it."
+        f"See :ref:`{place_of(entry)} <{place_label(entry)}>`."
         for entry in entries
     ]
     return ["", ".. rubric:: In the papers", "", *lines, ""] if lines else []
@@ -130,7 +137,7 @@ def _entry(entry: LedgerEntry) -> list[str]:
         "Right": entry.right,
         "Proof": entry.proof,
         "For the authors": entry.in_favour,
-        "In the book": f"[chapter {entry.chapter}, {entry.section}](#{place_label(entry)})",
+        "In the book": f"[{place_of(entry)}, {entry.section}](#{place_label(entry)})",
         "Computed by": functions,
         "Tested by": tests,
     }

@@ -4,7 +4,6 @@ import ast
 import re
 from functools import cache
 from importlib import import_module
-from pathlib import Path
 
 import nbformat
 import pytest
@@ -50,9 +49,8 @@ NAMED = {
 
 
 @cache
-def notebook(chapter):
-    (path,) = (ROOT / "notebooks").glob(f"{chapter}_*.ipynb")
-    return nbformat.read(path, as_version=4)
+def notebook(name):
+    return nbformat.read(ROOT / f"notebooks/{name}.ipynb", as_version=4)
 
 
 @cache
@@ -93,7 +91,7 @@ def test_entries_have_their_places_in_the_book():
     for entry in ENTRIES:
         headings = [
             heading
-            for cell in notebook(entry.chapter).cells
+            for cell in notebook(entry.notebook).cells
             if cell.cell_type == "markdown"
             for heading in re.findall(r"^#+ (.*)$", cell.source, flags=re.MULTILINE)
         ]
@@ -112,9 +110,8 @@ def test_functions_and_tests_of_the_entries_exist():
         for name in entry.tests:
             path, _, test = name.partition("::")
             if path.endswith(".ipynb"):
-                chapter = Path(path).name[:2]
-                assert (ROOT / path).exists()
-                (cell,) = (cell for cell in notebook(chapter).cells if cell.id == test)
+                name = path.removeprefix("notebooks/").removesuffix(".ipynb")
+                (cell,) = (cell for cell in notebook(name).cells if cell.id == test)
                 assert re.search(r"\bassert\b|\bidentity\(", cell.source), name
             else:
                 assert test in functions_in(path), name
@@ -145,10 +142,6 @@ def test_tables_have_a_row_for_each_entry():
     for paper in WORKS:
         rows = ledger.paper_table(paper).rows[1:]
         assert len(rows) == sum(entry.paper == paper for entry in ENTRIES)
-    for chapter in {entry.chapter for entry in ENTRIES}:
-        text = ledger.chapter_table(chapter)._repr_markdown_().replace(r"\*", "*")
-        for entry in ENTRIES:
-            assert entry.chapter != chapter or entry.label in text
     totals = [int(row[-1]) for row in ledger.summary_table().rows[1:]]
     assert sum(totals) == len(ENTRIES)
 
@@ -162,9 +155,7 @@ def test_table_is_markdown_with_as_many_cells_in_every_row():
     assert lines == ["| a | b |", "| --- | --- |", r"| $\vert x\vert  + 1$ | c |"]
 
 
-def test_unknown_chapter_or_paper_is_refused():
-    with pytest.raises(ValueError, match=r"^chapter: expected one of 01, .*, got '19'\.$"):
-        ledger.chapter_table("19")
+def test_unknown_paper_is_refused():
     with pytest.raises(ValueError, match=r"^paper: expected one of larin, .*, got 'Wu'\.$"):
         ledger.paper_table("Wu")
 

@@ -2,16 +2,15 @@
 
 import re
 
-from pages import FOLDER, markdown
+from pages import FOLDER, markdown, name_of
 
 from driftlab.book.references import all_references, references_table
 from support import ROOT
 
 ENTRIES = all_references()
-CHAPTERS = {path.name[:2]: path for path in sorted(FOLDER.glob("[0-9][0-9]_*.ipynb"))}
 OTHERS = {"M_g", "M_a"}  # of Groves's software
 SOURCE = ROOT / "src" / "driftlab"
-TEXTS = {number: markdown(path) for number, path in CHAPTERS.items()}
+TEXTS = {name_of(path): markdown(path) for path in sorted(FOLDER.rglob("*.ipynb"))}
 
 
 def test_entries_are_in_order_and_each_is_there_once():
@@ -32,43 +31,41 @@ def test_entries_are_well_formed():
         assert not re.search(r"\s\s|\.$|\|", str(entry)), entry.key
 
 
-def test_chapters_that_quote_an_entry_are_those_it_names():
-    for entry in ENTRIES:
-        quoting = tuple(number for number, text in TEXTS.items() if str(entry) in text)
-        assert quoting == entry.chapters != (), entry.key
+def test_each_entry_is_quoted():
+    text = "\n".join(TEXTS.values())
+    assert [entry.key for entry in ENTRIES if str(entry) not in text] == []
 
 
 def test_every_line_to_read_on_is_an_entry_and_says_why():
-    for number in CHAPTERS:
-        section = TEXTS[number].split("## Read on\n\n")[1].split("\n\n")[0]
-        lines = section.split("\n")
-        assert 2 <= len(lines) <= 8, number
-        for line in lines:
-            found = [entry for entry in ENTRIES if line.startswith(f"- {entry}: ")]
-            assert len(found) == 1, line
-            assert re.fullmatch(r"\S.*[^.]\.", line.removeprefix(f"- {found[0]}: ")), line
+    _, *sections = re.split(r"^## \d\d .*\n", TEXTS["bibliography.ipynb"], flags=re.M)
+    lines = [line for section in sections for line in section.splitlines() if line[:2] == "- "]
+    assert len(lines) > 40
+    for line in lines:
+        found = [entry for entry in ENTRIES if line.startswith(f"- {entry}: ")]
+        assert len(found) == 1, line
+        assert re.fullmatch(r"\S.*[^.]\.", line.removeprefix(f"- {found[0]}: ")), line
 
 
 def test_table_has_every_entry_with_its_identifier():
     _, *rows = references_table().rows
     assert [row[0] for row in rows] == [str(entry) for entry in ENTRIES]
-    for entry, (_, link, chapters) in zip(ENTRIES, rows, strict=True):
+    for entry, (_, link) in zip(ENTRIES, rows, strict=True):
         assert link == (f"[{entry.doi}](https://doi.org/{entry.doi})" if entry.doi else "")
-        assert chapters == ", ".join(entry.chapters)
 
 
 def test_names_beside_a_textbook_are_names_of_the_package():
     """In the sections on textbooks, and in the columns of chapter 19 that speak of the code."""
     sources = "\n".join(path.read_text(encoding="utf-8") for path in SOURCE.rglob("*.py"))
-    desk = TEXTS["19"].split("## With your textbook on the desk")[1].split("\n## ")[0]
+    desk = TEXTS["19_ledger_and_glossary.ipynb"].split("## With your textbook on the desk")[1]
+    desk = desk.split("\n## ")[0]
     signs, words = desk.split("### The field's words")
     cells = [
         *(column for row in table_rows(signs) for column in (row[1], row[-1])),
         *(row[2] for row in table_rows(words)),
         *(
-            text.split("## In your textbook")[1].split("\n## ")[0]
-            for number, text in TEXTS.items()
-            if number != "19"
+            text.split("## Read on")[1].split("\n## ")[0]
+            for text in TEXTS.values()
+            if "## Read on" in text
         ),
     ]
     names = set(re.findall(r"`-?(?:driftlab\.)?([A-Za-z]\w+)", "\n".join(cells))) - OTHERS

@@ -10,9 +10,9 @@ FOLDER = Path(__file__).parents[2] / "notebooks"
 NOTEBOOKS = sorted(
     path for path in FOLDER.rglob("*.ipynb") if ".ipynb_checkpoints" not in path.parts
 )
-CHAPTERS = sorted(FOLDER.glob("0[1-9]_*.ipynb")) + sorted(FOLDER.glob("1[013]_*.ipynb"))
 START = FOLDER / "00_start_here.ipynb"
 LEDGER = FOLDER / "19_ledger_and_glossary.ipynb"
+CHAPTERS = sorted(set(FOLDER.glob("[01][0-9]_*.ipynb")) - {START, LEDGER})
 SOLUTIONS = [FOLDER / "solutions" / path.name for path in CHAPTERS]
 PAGES = [*NOTEBOOKS, *sorted(FOLDER.rglob("*.md"))]
 

@@ -56,7 +56,6 @@ from .instructors.class_report import class_report as class_report
 from .ledger import (
     SEVERITIES as SEVERITIES,
     STATUSES as STATUSES,
-    chapter_table as chapter_table,
     ledger_entries as ledger_entries,
     paper_table as paper_table,
     summary_table as summary_table,

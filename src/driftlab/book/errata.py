@@ -84,5 +84,5 @@ def _slip(entry: LedgerEntry) -> str:
 
 def _where(entry: LedgerEntry) -> str:
     tests = ", ".join(f"`{test}`" for test in entry.tests)
-    place = f"Chapter {entry.chapter}, *{entry.section}*"
+    place = f"`{entry.notebook}.ipynb`, *{entry.section}*"
     return f"{place}; checked by {tests}." if tests else f"{place}."

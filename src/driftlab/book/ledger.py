@@ -1,8 +1,8 @@
 """The equation ledger: what became of every equation, table, figure and claim of the four papers.
 
-And of the numbers that others have published with the recordings of chapter 17. The entries stand
-in the ``ledger.toml`` of the chapter that treats them. A chapter shows its own, chapter 19 shows
-all, and `errata` writes the corrected ones to ERRATA.md.
+And of the numbers that others have published with the recordings of chapter 17. The entries are
+in the folder ``ledgers``, a file for each paper. The notebook on a paper shows its entries, chapter
+19 counts them, and `errata` writes the corrected ones to ERRATA.md.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from .chapters import CHAPTERS, chapters_with
 from .machinery.table import Table
 
 
@@ -123,7 +122,7 @@ class LedgerEntry:
     kind: str  # one of `KINDS`
     says: str  # what it states
     status: str  # one of `STATUSES`
-    chapter: str  # number of the chapter that treats it
+    notebook: str  # the one that treats it, "07_coning" or "papers/larin"
     section: str  # heading in it
     remark: str = ""  # what there is to know of it, if anything
     severity: str = ""  # of a corrected one: one of `SEVERITIES`
@@ -139,56 +138,14 @@ class LedgerEntry:
 
 @cache
 def ledger_entries() -> tuple[LedgerEntry, ...]:
-    """Return all entries: paper by paper, and for each in the order of the chapters."""
-    entries = [entry for chapter in chapters_with("ledger") for entry in _chapter_entries(chapter)]
-    return tuple(sorted(entries, key=lambda entry: list(WORKS).index(entry.paper)))
-
-
-def _chapter_entries(chapter: str) -> list[LedgerEntry]:
-    """Entries of the ``ledger.toml`` in the folder of a chapter."""
-    text = (Path(__file__).parent / CHAPTERS[chapter] / "ledger.toml").read_text(encoding="utf-8")
-    return [
-        LedgerEntry(
-            **entry | {key: tuple(entry.get(key, ())) for key in ("functions", "tests")},
-            chapter=chapter,
-        )
-        for entry in tomllib.loads(text)["entry"]
+    """Return all entries: paper by paper, and for each in the order of the notebooks."""
+    folder = Path(__file__).parent / "ledgers"
+    found = [
+        LedgerEntry(**entry | {key: tuple(entry.get(key, ())) for key in ("functions", "tests")})
+        for path in folder.glob("*.toml")
+        for entry in tomllib.loads(path.read_text(encoding="utf-8"))["entry"]
     ]
-
-
-def chapter_table(chapter: str) -> Table:
-    """Return what one chapter found of its paper, for the end of that chapter.
-
-    What was corrected has a row each, the rest a row for each status. Chapter 19 has it all.
-
-    Parameters
-    ----------
-    chapter : str
-        Its number, as "04".
-
-    Raises
-    ------
-    ValueError
-        If no entry is treated there.
-    """
-    found = [entry for entry in ledger_entries() if entry.chapter == chapter]
-    if not found:
-        chapters = sorted({entry.chapter for entry in ledger_entries()})
-        raise ValueError(f"chapter: expected one of {', '.join(chapters)}, got {chapter!r}.")
-    rows = [("status", "what")]
-    for status in STATUSES:
-        those = [entry for entry in found if entry.status == status]
-        if status == "corrected":
-            rows += [
-                (
-                    f"*{status}*",
-                    f"{_bold(entry.label)}: in the copy {entry.copy}; right is {entry.right}.",
-                )
-                for entry in those
-            ]
-        elif those:
-            rows.append((f"*{status}*", ", ".join(entry.label for entry in those)))
-    return Table(rows)
+    return tuple(sorted(found, key=lambda entry: list(WORKS).index(entry.paper)))
 
 
 def paper_table(paper: str) -> Table:
@@ -212,13 +169,19 @@ def paper_table(paper: str) -> Table:
                     _bold(entry.label),
                     entry.says,
                     _status(entry),
-                    f"{entry.chapter}, *{entry.section}*",
+                    f"{place_of(entry)}, *{entry.section}*",
                     _names(entry),
                 )
                 for entry in _entries_of(paper)
             ),
         ]
     )
+
+
+def place_of(entry: LedgerEntry) -> str:
+    """Return the notebook of an entry in words: "chapter 07", or "the paper, read closely"."""
+    number = entry.notebook[:2]
+    return f"chapter {number}" if number.isdigit() else "the paper, read closely"
 
 
 def summary_table() -> Table:

@@ -1,7 +1,7 @@
-"""What the book cites: each book, paper and standard once, with the chapters in which it stands.
+"""What the book cites: each book, paper and standard once.
 
-The entries are in ``references.toml``. The notebooks quote them letter for letter, under "Read on"
-and under "Sources"; chapter 19 lists all.
+The entries are in ``references.toml``. The notebooks quote them letter for letter; the
+bibliography lists all.
 """
 
 from __future__ import annotations
@@ -25,7 +25,6 @@ class Reference:
     where: str = ""  # journal with its volume, or edition and publisher
     year: int = 0  # 0 if it could not be checked
     doi: str = ""  # empty if none was seen
-    chapters: tuple[str, ...]  # numbers of the chapters that name it in full
 
     def __str__(self) -> str:
         """As it stands in the notebooks, in Markdown."""
@@ -37,16 +36,12 @@ class Reference:
 def all_references() -> tuple[Reference, ...]:
     """Return all entries, by author and year."""
     text = Path(__file__).with_suffix(".toml").read_text(encoding="utf-8")
-    return tuple(
-        Reference(**entry | {"chapters": tuple(entry["chapters"])})
-        for entry in tomllib.loads(text)["reference"]
-    )
+    return tuple(Reference(**entry) for entry in tomllib.loads(text)["reference"])
 
 
 def references_table() -> Table:
-    """Return all entries with their digital identifiers and the chapters that name them."""
-    rows = [(str(entry), _link(entry.doi), ", ".join(entry.chapters)) for entry in all_references()]
-    return Table([("", "DOI", "in chapter"), *rows])
+    """Return all entries with their digital identifiers."""
+    return Table([("", "DOI"), *((str(entry), _link(entry.doi)) for entry in all_references())])
 
 
 def _link(doi: str) -> str:
