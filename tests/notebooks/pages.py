@@ -1,10 +1,14 @@
 """The book's notebooks and pages, and what is said in them."""
 
+import re
 from pathlib import Path
+from typing import NamedTuple
 
 import nbformat
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
+
+from driftlab.book import __all__ as BOOK
 
 FOLDER = Path(__file__).parents[2] / "notebooks"
 NOTEBOOKS = sorted(
@@ -55,6 +59,45 @@ def slide_types(notebook: NotebookNode) -> dict[str, str]:
         '"metadata": {"slideshow": {"slide_type": "subslide"}}.'
     )
     return types
+
+
+class Size(NamedTuple):
+    """What of a chapter is in view, and the minutes that a student alone is expected to need."""
+
+    words: int  # of the text, without the exercises
+    lines: int  # of code, without the exercises and the checks of the book
+    pictures: int  # figures, panels and scenes
+    exercises: int
+    asserts: int  # in the lines
+
+    @property
+    def minutes(self) -> int:
+        """160 words or 20 lines of code a minute, 2 minutes a picture, 6 an exercise; by fives."""
+        exact = self.words / 160 + self.lines / 20 + 2 * self.pictures + 6 * self.exercises
+        return 5 * round(exact / 5)
+
+
+PICTURE = re.compile(
+    r"^(?:\w+ = )?(?:figure|" + "|".join(name for name in BOOK if name[0].isupper()) + r")\(|!\[",
+    re.MULTILINE,
+)
+"""A figure, a panel or a scene as a cell shows it. (`Table(` is none; it is taken off.)"""
+
+
+def size_of(path: Path) -> Size:
+    """Measure a chapter."""
+    words = lines = pictures = exercises = asserts = 0
+    for cell in nbformat.read(path, as_version=4).cells:
+        if re.match(r"\d\d-exercise", cell.id):
+            exercises += cell.source.startswith("### ")
+        elif cell.cell_type == "markdown":
+            words += len(cell.source.split())
+            pictures += len(re.findall(r"!\[", cell.source))
+        elif not cell.metadata.get("jupyter", {}).get("source_hidden"):
+            lines += len(cell.source.splitlines())
+            asserts += len(re.findall(r"^\s*assert\b", cell.source, re.MULTILINE))
+            pictures += bool(re.search(PICTURE, re.sub(r"\bTable\(", "", cell.source)))
+    return Size(words, lines, pictures, exercises, asserts)
 
 
 def notebook_of(*cells: str) -> NotebookNode:

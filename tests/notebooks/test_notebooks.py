@@ -16,6 +16,7 @@ from pages import (
     START,
     markdown,
     name_of,
+    size_of,
     slide_types,
 )
 
@@ -130,6 +131,18 @@ def test_chapter_ends_in_what_to_read_and_the_way_on(path: Path) -> None:
     assert "(bibliography.ipynb)" in read_on.source
     assert neighbours.id == f"{number}-end-1"
     assert "\n" not in neighbours.source
+
+
+@pytest.mark.parametrize("path", CHAPTERS, ids=name_of)
+def test_chapter_carries_one_idea_in_at_most_ninety_minutes(path: Path) -> None:
+    size, text = size_of(path), markdown(path)
+    assert size.asserts == 0, "what only checks the book is in hidden cells"
+    assert size.words <= 4000
+    assert size.lines <= 450
+    promise = text.split("## What you will be able to do")[1].split("\n## ")[0]
+    assert 3 <= promise.count("\n- ") <= 5
+    assert f"About {size.minutes} minutes" in promise
+    assert size.minutes <= 90
 
 
 def test_minutes_are_the_same_wherever_they_stand() -> None:
