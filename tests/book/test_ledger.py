@@ -9,7 +9,7 @@ import nbformat
 import pytest
 
 from driftlab.book import ledger
-from driftlab.book.errata import errata
+from driftlab.book.errata import errata, papers_page
 from driftlab.book.ledger import KINDS, PAPERS, PUBLISHERS, SEVERITIES, STATUSES, WORKS
 from support import ROOT
 
@@ -119,6 +119,7 @@ def test_functions_and_tests_of_the_entries_exist():
 
 def test_errata_file_is_what_the_ledger_says():
     assert (ROOT / "ERRATA.md").read_text(encoding="utf-8") == errata()
+    assert (ROOT / "docs/papers.md").read_text(encoding="utf-8") == papers_page()
 
 
 def test_errata_hold_every_correction_and_nothing_else():

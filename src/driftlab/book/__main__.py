@@ -22,7 +22,7 @@ from driftlab.core.loops import by_numpy_alone
 from driftlab.monte_carlo import FOLDER
 
 from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, experiment_numbers
-from .errata import errata
+from .errata import errata, papers_page
 from .figures import figure_definitions, measured, not_at_hand, published_paths
 from .machinery.figure.csv_table import as_words, write_table
 from .machinery.figure.publish import FigureDefinition, PublishedFigure, captions_in, gallery
@@ -194,9 +194,11 @@ def _copy(paths: Iterable[Path], folder: Path) -> None:
 
 
 def write_errata(file: Path) -> None:
-    """Write what the copies of the papers have wrong, from the ledger."""
-    file.write_text(errata(), encoding="utf-8", newline="\n")
-    print(f"Written: {file}")
+    """Write what the copies of the papers have wrong, and where the book has their results."""
+    (file.parent / "docs").mkdir(exist_ok=True)
+    for path, text in ((file, errata()), (file.parent / "docs/papers.md", papers_page())):
+        path.write_text(text, encoding="utf-8", newline="\n")
+        print(f"Written: {path}")
 
 
 def write_class_report(folder: Path, chapters: str | None, output: Path | None) -> None:

@@ -1,7 +1,14 @@
-"""ERRATA.md: what the copies of the four papers have wrong, written from the equation ledger."""
+"""ERRATA.md and docs/papers.md, written from the equation ledger.
+
+The first has what the copies of the four papers have wrong; the second leads from each figure,
+equation, table and number of the papers to where it is here.
+"""
 
 from __future__ import annotations
 
+from pathlib import Path
+
+from .figures import figure_definitions
 from .ledger import PAPERS, SEVERITIES, LedgerEntry, ledger_entries
 from .machinery.table import Table
 
@@ -86,3 +93,35 @@ def _where(entry: LedgerEntry) -> str:
     tests = ", ".join(f"`{test}`" for test in entry.tests)
     place = f"`{entry.notebook}.ipynb`, *{entry.section}*"
     return f"{place}; checked by {tests}." if tests else f"{place}."
+
+
+def papers_page() -> str:
+    """Return the text of docs/papers.md: what makes each figure, equation and number here."""
+    lines = [
+        "# From the papers to this book",
+        "",
+        "Where each figure, numbered equation, table and number of the four papers is in this book, "
+        "and the command that makes or checks it. Written by `python -m driftlab.book errata` from "
+        "the ledger; do not edit. Claims in words are in the notebooks on the papers.",
+        "",
+    ]
+    for name, paper in PAPERS.items():
+        rows = [("in the paper", "status", "in this book", "command")]
+        for entry in ledger_entries():
+            if entry.paper == name and entry.kind != "claim":
+                page = f"[{Path(entry.notebook).name}](../notebooks/{entry.notebook}.ipynb)"
+                place = f"{page}, *{entry.section}*"
+                rows.append((entry.label, entry.status, place, _command(entry)))
+        lines += [f"## {paper}", "", *Table(rows)._repr_markdown_().splitlines(), ""]
+    return "\n".join(lines)
+
+
+def _command(entry: LedgerEntry) -> str:
+    """What draws a figure, or checks anything else: a test, or else the whole notebook."""
+    if entry.kind in ("figure", "table"):
+        for name, definition in figure_definitions().items():
+            made_by = f"{definition.compute.__module__}.{definition.compute.__name__}"
+            if any(made_by.endswith(f".{each.rsplit('.', 1)[1]}") for each in entry.functions):
+                return f"`python3 lab.py figures {name}`"
+    test = next((test for test in entry.tests if test.startswith("tests/")), "")
+    return f"`python3 lab.py test {test}`" if test else "run the notebook"
