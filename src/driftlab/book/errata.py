@@ -100,8 +100,8 @@ def papers_page() -> str:
     lines = [
         "# From the papers to this book",
         "",
-        "Where each figure, numbered equation, table and number of the four papers is in this book, "
-        "and the command that makes or checks it. Written by `python -m driftlab.book errata` from "
+        "Where each figure, equation, table and number of the four papers is in this book, and "
+        "the command that makes or checks it. Written by `python -m driftlab.book errata` from "
         "the ledger; do not edit. Claims in words are in the notebooks on the papers.",
         "",
     ]
