@@ -113,6 +113,23 @@ def _code(cell: NotebookNode) -> NotebookNode:
     return made
 
 
+def text_slide(source: str, kind: str) -> NotebookNode:
+    """Return a text of a written slide, its pictures within it."""
+    return _cell(PICTURE.sub(_inlined, source.strip()), kind)
+
+
+def picture_of(cell: NotebookNode) -> NotebookNode:
+    """Return what a cell of the chapter shows, without its code."""
+    made = _code(cell)
+    made.metadata["slideshow"], made.metadata["aside"] = {"slide_type": "-"}, True
+    return made
+
+
+def note(said: str) -> NotebookNode:
+    """Return what a lecturer may say at a slide."""
+    return _cell(said, "notes")
+
+
 def _cell(source: str, kind: str) -> NotebookNode:
     metadata = {"slideshow": {"slide_type": kind}}
     cell: NotebookNode = new_markdown_cell(source, metadata=metadata)  # type: ignore[no-untyped-call]

@@ -18,6 +18,7 @@ from nbformat import NotebookNode
 from executed import executed, notebooks
 from licences import licence_texts
 from slides.cells import on_slides
+from slides.written import written_slides
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -58,7 +59,8 @@ def slides(notebook: NotebookNode, name: str, code: bool = False) -> str:
         template_name="lecture", extra_template_basedirs=[str(HERE)], exclude_anchor_links=True
     )
     exporter.environment.globals["lecture"] = _parts(name, code)
-    body, _ = exporter.from_notebook_node(on_slides(notebook))
+    chosen = None if code else written_slides(notebook, name[:2])
+    body, _ = exporter.from_notebook_node(chosen or on_slides(notebook))
     return str(body)
 
 
