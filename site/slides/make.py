@@ -58,13 +58,13 @@ def slides(notebook: NotebookNode, name: str, code: bool = False) -> str:
     exporter = SlidesExporter(  # type: ignore[no-untyped-call]
         template_name="lecture", extra_template_basedirs=[str(HERE)], exclude_anchor_links=True
     )
-    exporter.environment.globals["lecture"] = _parts(name, code)
     chosen = None if code else written_slides(notebook, name[:2])
+    exporter.environment.globals["lecture"] = _parts(name, code, written=chosen is not None)
     body, _ = exporter.from_notebook_node(chosen or on_slides(notebook))
     return str(body)
 
 
-def _parts(name: str, code: bool) -> dict[str, object]:
+def _parts(name: str, code: bool, written: bool) -> dict[str, object]:
     """What the file holds beside the chapter."""
     reveal = Path(str(files("sphinx_revealjs"))) / "_static/revealjs"
     mathjax = Path(str(files("mathjax"))) / "static/mathjax/es5/tex-svg-full.js"
@@ -72,6 +72,7 @@ def _parts(name: str, code: bool) -> dict[str, object]:
     return {
         "title": name.replace("_", " "),
         "code": code,
+        "written": written,
         "reveal_css": (reveal / "dist/reveal.css").read_text("utf-8"),
         "css": (HERE / "slides.css").read_text("utf-8"),
         "scripts": [_inlined(path) for path in (*scripts, HERE / "pages.js")],
