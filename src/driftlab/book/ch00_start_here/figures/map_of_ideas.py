@@ -25,18 +25,18 @@ class Idea(NamedTuple):
 
 IDEAS = {
     "bend": Idea(0.9, 2.0, "a bent triad\n$A = I + M$", "01", VERMILION),
-    "sigma": Idea(2.9, 2.8, "not square\n$\\Sigma$", "03, 07", VERMILION),
-    "kappa": Idea(2.9, 1.2, "turned as a whole\n$\\kappa$", "03, 07", VERMILION),
+    "sigma": Idea(2.9, 2.8, "not square\n$\\Sigma$", "03, 10", VERMILION),
+    "kappa": Idea(2.9, 1.2, "turned as a whole\n$\\kappa$", "03, 10", VERMILION),
     "drift": Idea(4.9, 2.8, "drift, turn by turn\n$\\rho = n^T M n$", "02, 03", VERMILION),
     "start": Idea(4.9, 1.2, "an attitude that\nstarts wrong", "10", VERMILION),
     "attitude": Idea(6.9, 2.0, "wrong attitude\n$\\varphi$", "01", VERMILION),
-    "heading": Idea(8.9, 2.0, "wrong horizon,\nwrong heading", "09, 10, 11", VERMILION),
+    "heading": Idea(8.9, 2.0, "wrong horizon,\nwrong heading", "13, 14, 16", VERMILION),
     "turns": Idea(2.9, 4.1, "whole turns\nmeasure $\\Sigma$", "04", GREEN),
     "filter": Idea(4.9, 4.1, "a Kalman filter\nmeasures nearly all", "11", GREEN),
-    "computer": Idea(6.9, 4.1, "a better computer:\nCayley, Picard", "05, 06", GREEN),
-    "log": Idea(8.9, 4.1, "a log, damping,\na careful alignment", "09, 10", GREEN),
-    "earth": Idea(6.9, 0.1, "the Earth turns\nand is round", "04, 09, 10", BLUE),
-    "noise": Idea(8.9, 0.1, "gyro bias\nand noise", "08, 09", ORANGE),
+    "computer": Idea(6.9, 4.1, "a better computer:\nCayley, Picard", "06, 07", GREEN),
+    "log": Idea(8.9, 4.1, "a log, damping,\na careful alignment", "14, 15", GREEN),
+    "earth": Idea(6.9, 0.1, "the Earth turns\nand is round", "05, 13, 14", BLUE),
+    "noise": Idea(8.9, 0.1, "gyro bias\nand noise", "11, 13", ORANGE),
 }
 LEADS_TO = (
     ("bend", "sigma"), ("bend", "kappa"), ("sigma", "drift"), ("kappa", "start"),
