@@ -4,7 +4,7 @@ The limits are those of the International Maritime Organization, the IMO: Resolu
 1995, for high-speed craft, and A.424(XI), 1979, for other ships. Most grow with the latitude as its
 secant, as the error of a gyro does; two do not. Only the numbers are taken. `Limit.source` says
 where each stands, and `Limit.read` whether that place was read or is known at second hand. How to
-test is said by ISO 8728, which was not to be had.
+test is said by ISO 8728, which was not read; JIS F 9602:2004 reproduces its edition of 1997.
 
 What the resolutions leave open is taken from a draft of ISO 22090-1 of the year 2000: what settled
 means and from what an error is counted (3.10 to 3.13), how the ship rolls and how hard it speeds up
@@ -87,7 +87,8 @@ LIMITS: dict[str, Limit] = {
 20 knots instead of 70. 4.2.1 asks the compass to settle while the craft rolls and pitches by 5
 degrees with any one period from 6 to 15 s and is accelerated along the level by up to 0.22 m/s^2;
 chapter 14 simulates it. 4.2.2 includes magnetic fields and temperatures, which are not simulated.
-4.2.3 holds for craft that operate within a latitude band of 10 degrees. All hold up to 70 degrees.
+4.2.3 holds for craft that operate within a latitude band of 10 degrees. Those of A.821(19) hold up
+to 70 degrees, those of A.424(XI) up to 60.
 """
 TESTS = tuple(name for name, limit in LIMITS.items() if limit.measured)
 """What `marine_type_test` measures."""

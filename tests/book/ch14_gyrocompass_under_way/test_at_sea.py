@@ -35,6 +35,36 @@ def test_a_stiff_horizon_never_settles_and_others_do(
         assert abs(align_in_inertial_frame(part, latitude).heading) < 0.5 * limit
 
 
+def test_a_light_or_very_slow_damping_needs_more_than_the_six_hours() -> None:
+    """With a ratio of 0.7 periods from 25 minutes to four hours do; not for any ratio or period."""
+    latitude, schuler = float(np.radians(51.5)), at_sea.HORIZONS["Schuler's"]
+    way = at_sea.ship_at_sea(latitude, (15.0, 15.0), LIMITS["settling at sea"].size, 0.5)
+
+    def share(minutes: float, damping: float = at_sea.DAMPING) -> float:
+        headings = at_sea.horizon_headings(way, 2 * np.pi / (60 * minutes), damping)
+        return float(np.abs(headings[-4320:]).max() / LIMITS["settle point"].at(latitude))
+
+    assert share(25) < 1
+    assert share(240) < 0.5
+    assert share(450) > 1.5
+    assert share(25, 0.05) > 1.5
+    assert share(2 * np.pi / schuler / 60, 0.1) > 2
+
+
+def test_the_stiff_horizon_settles_if_the_waves_stop_for_the_readings() -> None:
+    """Five minutes before each reading half an hour apart, as the draft of ISO 22090-1 allows."""
+    times = 0.5 * np.arange(14401)
+    wave, on = 2 * np.pi / 11 * times, (times - 0.1) % 1800 < 1500
+    push = at_sea.PUSH * 11 / (2 * np.pi) * np.sin(wave + 1) * on
+    way = vehicle_trajectory(
+        0.9, np.stack([push, 0 * push], axis=-1), 0 * times,
+        at_sea.LEAN * np.cos(wave) * on, at_sea.LEAN * np.sin(wave) * on, interval=0.5,
+    )  # fmt: skip
+    headings = np.degrees(at_sea.horizon_headings(way, at_sea.HORIZONS["stiff"]))
+    assert np.abs(headings[3599::3600]).max() < 0.35
+    assert np.ptp(headings[3600:]) > 20
+
+
 def test_means_find_no_north_at_sea_in_an_hour() -> None:
     """Unless the time is a whole number of waves: a roll to the other side is left over."""
     _, angle, velocity = at_sea.ship_at_sea(0.9, (10.0, 10.0), 3605.0, 0.5).increments
@@ -73,7 +103,9 @@ def irregular(latitude: float, turn: float, rng: np.random.Generator) -> at_sea.
     ],
 )
 def test_a_turn_tells_the_filter_the_drifts(latitude: float, period: float | None) -> None:
-    """And not the alignment in inertial space. The filter states too much, not too little."""
+    """In the middle of the record; gravity in inertial space gains nothing. The filter states too
+    much, not too little.
+    """
     rng, rows = np.random.default_rng(5), []
     for turn in (0.0, np.pi / 2, np.pi):
         if period:

@@ -31,4 +31,7 @@ def test_a_laser_gyro_unit_finds_north_with_a_damped_horizon(figure: PublishedFi
     assert whole.std() > 60
     # Like gravity in inertial space, which chapter 17 has; the header of the file says -90.6.
     assert read.mean() == pytest.approx(-90.6, abs=0.05)
-    assert figure.data.pulse_over_earth_rate > 4
+    # A pulse is four counts of the file; a mean over a minute has as many of them as there are.
+    assert figure.data.pulse == pytest.approx(4 * figure.data.count, rel=1e-9)
+    assert figure.data.pulse_over_earth_rate > 15
+    assert np.degrees(figure.data.by_minutes).std() < 0.1

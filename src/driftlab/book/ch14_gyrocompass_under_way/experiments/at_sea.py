@@ -29,6 +29,8 @@ LEAN, PUSH = 5 * degree, 0.22
 """Of 4.2.1: largest roll and pitch, rad, and horizontal acceleration, m/s^2."""
 HORIZONS = {"stiff": FREQUENCY, "soft": 0.004, "Schuler's": float(np.sqrt(g / EARTH_RADIUS))}
 """Natural frequencies of damped horizons, rad/s; the first is that of *Setting out*."""
+DAMPING = float(np.sqrt(0.5))
+"""Their damping ratio."""
 OFFSET, SWAY = 100 * micro * g, 0.25
 """Deviations of each accelerometer's offset, m/s^2, and of the sway as the filter takes it, m/s."""
 PERIODS = (6.0, 7.7, 10.0, 12.3, 15.0)
@@ -58,11 +60,11 @@ def sensed(way: Trajectory) -> Increments:
     return Increments(5 * interval, *(each.reshape(-1, 5, 3).sum(axis=1) for each in rows))
 
 
-def horizon_headings(way: Trajectory, frequency: float) -> FloatArray:
+def horizon_headings(way: Trajectory, frequency: float, damping: float = DAMPING) -> FloatArray:
     """Headings (n,) of a damped horizon that begins out of level, without an idea of North."""
     start = LevelFrame(multiply(from_rotation_vector(TILT), way.attitude[0]), np.zeros(2))
     azimuth_rate = EARTH_RATE * np.sin(way.latitude[0])
-    gains = damped_gains(frequency, g)
+    gains = damped_gains(frequency, g, damping)
     return propagate_level_frame(start, way.increments, gains, azimuth_rate).heading
 
 
@@ -105,7 +107,8 @@ def settling_at_sea(
 ) -> DataTable:  # fmt: skip
     """Let perfect compasses settle at sea, then align units for 20 minutes on a ship that turns.
 
-    Settled is a heading that from then on keeps the limit of the settle point.
+    Settled is a heading that from then on keeps the limit of the settle point, in the waves. The
+    ship turns in the middle of the record.
     """
     waves, angles = finite_array(periods, "periods"), finite_array(turns, "turns")
     times, swings = np.transpose([_settled(latitude, wave) for wave in waves.tolist()], (2, 1, 0))

@@ -47,10 +47,11 @@ def _pulses_caption(data: DataTable) -> str:
     whole, read = (np.degrees(each.std()) for each in (data.by_whole_rate, data.by_integrals))
     one = PUBLISHED["laser-gyro"]
     return (
-        "A ring-laser unit on a parked car, its horizon damped as for levelling. One pulse of its "
-        f"accelerometers is {1000 * data.pulse[0]:.1f} mm/s; through k1 that is, for one interval, "
-        f"{data.pulse_over_earth_rate[0]:.1f} times the Earth's rate. Read from the whole rate, "
-        f"the heading has a standard deviation of {whole:.0f} degrees; read from the integrals, of "
+        "A ring-laser unit on a parked car, its horizon damped as for levelling. One count of the "
+        f"file is {1000 * data.count[0]:.1f} mm/s; a pulse of its accelerometers is "
+        f"{data.pulse[0] / data.count[0]:.0f} counts, through k1 up to "
+        f"{data.pulse_over_earth_rate[0]:.0f} times the Earth's rate. Single values of the whole "
+        f"rate give a heading with a standard deviation of {whole:.0f} degrees; the integrals, of "
         f"{read:.3f}. Recording: {one.source} ({one.licence})."
     )
 
@@ -198,12 +199,14 @@ def _settling_at_sea_caption(data: DataTable) -> str:
     _, soft, schuler, inertial = np.max(data.settling, axis=1) / minute
     by_frame, by_filter, _ = np.degrees(data.deviation)
     return (
-        "IMO A.821(19), 4.2.1, by simulation, published for latitude 51.5°. Left: a stiff horizon "
-        f"never settles; a soft one does after {soft:.0f} minutes at the latest, one with "
-        f"Schuler's period after {schuler:.0f}, gravity in inertial space after {inertial:.1f}. "
-        "Middle: why. Right: units with gyros that drift, aligned on a ship that sways and turns. "
-        f"By the widest turn the spread falls from {by_filter[0]:.2f} to {by_filter[-1]:.2f} "
-        f"degrees with a filter; in inertial space it is {by_frame.min():.2f} or more."
+        "IMO A.821(19), 4.2.1, by simulation, published for latitude 51.5° and horizons with a "
+        "damping ratio of 0.7. Left: a stiff one never keeps the limit while the waves last; a soft "
+        f"one does after {soft:.0f} minutes at the latest, one with Schuler's period after "
+        f"{schuler:.0f}, gravity in inertial space after {inertial:.1f}. "
+        "Middle: why. Right: units with gyros that drift, aligned on a ship that sways and turns "
+        "in the middle of the record. By the widest turn the spread falls from "
+        f"{by_filter[0]:.2f} to {by_filter[-1]:.2f} degrees with a filter; in inertial "
+        f"space it is {by_frame.min():.2f} or more."
     )
 
 
