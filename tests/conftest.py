@@ -45,6 +45,7 @@ HEAVY = (
     "GyrocompassExplorer",
     "TurnCalibrationExplorer",
     "notebook-14_gyrocompass_under_way.ipynb",
+    "notebook-15_gyrocompass_trials.ipynb",
     "CalibrationRunExplorer",
     "notebook-07_coning.ipynb",
     "DriftExplorer",

@@ -49,7 +49,7 @@ def words_on(answer):
 
 def test_chapters_have_four_or_more_of_every_kind_in_order():
     chapters = {number.split(".")[0] for number in EXERCISES}
-    assert chapters == {str(chapter) for chapter in [1, 2, 3, 4, 6, 7, 10, 11, 13, 14, 16, 17]}
+    assert chapters == {str(chapter) for chapter in [1, 2, 3, 4, 6, 7, 10, 11, 13, 14, 15, 16, 17]}
     for chapter in chapters:
         numbers_of = [n for n in EXERCISES if n.split(".")[0] == chapter]
         assert numbers_of == sorted(numbers_of, key=in_order)
@@ -461,6 +461,7 @@ SETTINGS = {
     "10.2": (book.SplitExplorer, "No error", TURNED),
     "13.4": (book.AlignmentBudgetExplorer, "No errors, level, to the North", {"acc_right": 1.5}),
     "14.5": (book.GyrocompassExplorer, "Small drifts, a turn", {"tuning": 0.95}),
+    "15.5": (book.TypeTestExplorer, "Damped without a log", {}),
     "16.4": (book.CapstoneExplorer, "Bent and turned", {}),
     "17.3": (book.AllanExplorer, "Puzzle: two that fall", {}),
 }
@@ -469,6 +470,7 @@ FOUND = {
     "3.2": ALL_AT_THEIR_ENDS,
     "4.2": {"steps": round(float(computed(EXERCISES["4.2"])[0]))},
     "13.4": {"pitch": round(float(computed(EXERCISES["13.4"])[0]))},
+    "15.5": {"damping": 0.15},
     "16.4": {"turn_right": round(float(computed(EXERCISES["16.4"])[0]))},
     "17.3": {"quantisation": 100.0},
 }

@@ -46,7 +46,7 @@ SAMPLE = (
 """Panels that have every kind of control, and a scene."""
 MOVED = 2
 """Controls of a panel that are moved."""
-FIGURES = ("03-drift-map", "07-algorithm-orders", "14-damping")
+FIGURES = ("03-drift-map", "07-algorithm-orders", "15-damping")
 
 
 def kinds(panels) -> set[str]:

@@ -27,14 +27,12 @@ from .ch13_finding_north.scenes import (
     BowOverTheTop as BowOverTheTop,
     BoxOnTheWayNorth as BoxOnTheWayNorth,
 )
-from .ch14_gyrocompass_under_way.panels import (
-    GyrocompassExplorer as GyrocompassExplorer,
-    TypeTestExplorer as TypeTestExplorer,
-)
+from .ch14_gyrocompass_under_way.panels import GyrocompassExplorer as GyrocompassExplorer
 from .ch14_gyrocompass_under_way.scenes import (
     SchulerPendulum as SchulerPendulum,
     ShipUnderWay as ShipUnderWay,
 )
+from .ch15_gyrocompass_trials.panels import TypeTestExplorer as TypeTestExplorer
 from .ch16_one_triad.panels import CapstoneExplorer as CapstoneExplorer
 from .ch16_one_triad.scenes import TurningShip as TurningShip
 from .ch17_real_recordings.panels import AllanExplorer as AllanExplorer

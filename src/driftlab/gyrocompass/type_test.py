@@ -86,7 +86,7 @@ LIMITS: dict[str, Limit] = {
 """By test. A.424(XI), at second hand, has the first two as well, and the limit of a steady way for
 20 knots instead of 70. 4.2.1 asks the compass to settle while the craft rolls and pitches by 5
 degrees with any one period from 6 to 15 s and is accelerated along the level by up to 0.22 m/s^2;
-chapter 14 simulates it. 4.2.2 includes magnetic fields and temperatures, which are not simulated.
+chapter 15 simulates it. 4.2.2 includes magnetic fields and temperatures, which are not simulated.
 4.2.3 holds for craft that operate within a latitude band of 10 degrees. Those of A.821(19) hold up
 to 70 degrees, those of A.424(XI) up to 60.
 """

@@ -5,8 +5,8 @@ import pytest
 from scipy.constants import degree, hour
 from scipy.stats import chi2, f, pearsonr
 
-from driftlab.book.ch14_gyrocompass_under_way.experiments import PAPER_DEVIATION, PAPER_SPREAD
-from driftlab.book.ch14_gyrocompass_under_way.experiments.trials import (
+from driftlab.book.ch15_gyrocompass_trials.experiments import PAPER_DEVIATION, PAPER_SPREAD
+from driftlab.book.ch15_gyrocompass_trials.experiments.trials import (
     range_over_standard_deviation,
 )
 from driftlab.book.ch17_real_recordings.experiments.parked_car import HEADER, spread

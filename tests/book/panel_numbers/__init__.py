@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from driftlab.book.machinery.panel.panel import Explorer
 
-from . import ch01, ch02, ch03, ch04, ch06, ch07, ch10, ch11, ch13, ch14, ch16, ch17
+from . import ch01, ch02, ch03, ch04, ch06, ch07, ch10, ch11, ch13, ch14, ch15, ch16, ch17
 from .values import Rows, Values
 
 NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
@@ -91,7 +91,7 @@ BY_PANEL: dict[str, Callable[[Values], Rows]] = {
     "MissionExplorer": ch11.mission,
     "AlignmentBudgetExplorer": ch13.alignment_budget,
     "GyrocompassExplorer": ch14.gyrocompass,
-    "TypeTestExplorer": ch14.type_test,
+    "TypeTestExplorer": ch15.type_test,
     "CapstoneExplorer": ch16.capstone,
     "AllanExplorer": ch17.allan,
 }

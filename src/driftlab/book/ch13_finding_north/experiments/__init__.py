@@ -19,6 +19,7 @@ from .budget import (
     TERMS as TERMS,
     alignment_budget as alignment_budget,
 )
+from .fine_alignment import fine_alignment_trial as fine_alignment_trial
 from .level_box import MAGNIFIED as MAGNIFIED, level_box as level_box
 from .terms import GRIDS as GRIDS, LABELS as LABELS, alignment_terms as alignment_terms
 from .two_positions import UNITS as UNITS, two_positions as two_positions

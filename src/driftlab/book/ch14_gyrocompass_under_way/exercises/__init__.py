@@ -1,11 +1,3 @@
-"""Exercises of chapter 14: the gyrocompass at work."""
+"""Exercises of chapter 14: the errors of a compass under way."""
 
-from driftlab.book.machinery.exercise.exercise import Exercise
-
-from . import damping, judging, under_way
-
-EXERCISES: dict[str, Exercise] = {
-    **under_way.EXERCISES,
-    **judging.EXERCISES,
-    **damping.EXERCISES,
-}
+from .under_way import EXERCISES as EXERCISES

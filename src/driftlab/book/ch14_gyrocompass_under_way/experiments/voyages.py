@@ -33,10 +33,6 @@ CRAFT_COMPASS: dict[str, Any] = {
 
 DAMPING = 0.5
 """Damping ratio of a horizon that is damped at sea."""
-LOG_SCALE, CURRENT = 0.01, (0.5, 0.0)
-"""A log with errors: what it tells too much, and the current to North and East, m/s, unseen."""
-
-
 EVERY_THIRD, EVERY_SIXTH = slice(2, None, 3), slice(5, None, 6)
 """Steps of a voyage that figures show."""
 TERMS = ("rate about East", "rate about North", "minus the yaw's error", "tilt by tan pitch")
@@ -113,43 +109,6 @@ def several_horizons(runs: dict[str, HeadingErrors], **facts: tuple[Any, ...]) -
         columns[f"tilt_east, {name}"] = (tilt, "arcmin", "of the horizon")
         columns[f"heading_error, {name}"] = (heading, "deg", "without the speed error")
     return DataTable(columns, {"runs": (runs, "", "errors at every step"), **facts})
-
-
-def damping_at_sea(
-    gyro_bias_body: ArrayLike = GYRO_BIAS,
-    latitude: float = SARATOV_LATITUDE,
-    speed: float = SPEED,
-    course: float = 0.0,
-    turn: float = QUARTER_TURN,
-    damping: float = DAMPING,
-    speed_log_scale_factor: float = LOG_SCALE,
-    current: tuple[float, float] = CURRENT,
-) -> DataTable:
-    """Return the errors of four horizons: undamped, and damped with a log or not.
-
-    The log measures the velocity through the water, so that a current is missing in what it tells.
-    """
-    way = ship_manoeuvre(latitude, speed, course, turn)
-    speed_log_error = speed_log_scale_factor * way.velocity - np.asarray(current)
-    logs: dict[str, dict[str, Any]] = {
-        "undamped, with a log": {"speed_log": True},
-        "damped, no log": {"damping": damping},
-        "damped by a true log": {"damping": damping, "speed_log": True},
-        "damped by a log with errors": {
-            "damping": damping,
-            "speed_log": True,
-            "speed_log_error": speed_log_error,
-        },
-    }
-    runs = {
-        name: simulate_gyrocompass(way, gyro_bias_body, **settings)
-        for name, settings in logs.items()
-    }
-    return several_horizons(
-        runs,
-        speed_log_scale_factor=(speed_log_scale_factor, "percent", "what the log tells too much"),
-        current=(current, "m_per_s", "to North and East, which no log sees"),
-    )
 
 
 def operating_formula(

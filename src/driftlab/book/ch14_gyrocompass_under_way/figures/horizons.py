@@ -1,11 +1,10 @@
-"""Several horizons on one voyage: tunings that feel that a ship gathers way, and dampings."""
+"""Several horizons on one voyage, of which some feel that a ship gathers way."""
 
 from collections.abc import Sequence
 
 import numpy as np
 from scipy.constants import arcminute, minute
 
-from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.machinery.figure.drawing import Drawing, from_table
 from driftlab.book.machinery.figure.picture import SERIES, legend_below_all
 from driftlab.book.scenarios import DURATION
@@ -22,25 +21,13 @@ def reach(runs: Sequence[HeadingErrors], least: tuple[float, float]) -> tuple[fl
     return (low if tilt <= low else 1.1 * tilt), (narrow if heading <= narrow else 1.1 * heading)
 
 
-def damping_reach(table: DataTable) -> tuple[float, float]:
-    """Reach of all horizons but the damped one without a log."""
-    undamped, _, *by_log = table.runs.values()
-    return reach([undamped, *by_log], (0.4, 0.5))
-
-
 @from_table
 def draw_ballistic(drawing: Drawing) -> None:
     """Draw all horizons."""
-    _draw(drawing, *reach([*drawing.table.runs.values()], (6.0, 6.0)))
+    draw_horizons(drawing, *reach([*drawing.table.runs.values()], (6.0, 6.0)))
 
 
-@from_table
-def draw_damping(drawing: Drawing) -> None:
-    """Draw all horizons; the damped one without a log may leave the panels."""
-    _draw(drawing, *damping_reach(drawing.table))
-
-
-def _draw(drawing: Drawing, tilt_reach: float, heading_reach: float) -> None:
+def draw_horizons(drawing: Drawing, tilt_reach: float, heading_reach: float) -> None:
     """Draw tilt about East and heading error within arc minutes and degrees."""
     runs, sheet = drawing.table.runs, drawing.sheet
     panels = drawing.mosaic(

@@ -8,6 +8,7 @@ import numpy as np
 from scipy.constants import degree
 
 from driftlab.book.ch13_finding_north.experiments import MOVING_AVERAGE, WHITE, gyro_noise
+from driftlab.book.ch14_gyrocompass_under_way.experiments import DAMPING
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, checked_instance, finite_array
@@ -15,7 +16,6 @@ from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.type_test import COARSE, FINE, TESTS, Gyrocompass, marine_type_test
 
 from .dial import PAPER_LARGEST
-from .voyages import DAMPING
 
 PLACES: FloatArray = np.array([0.0, 40.0, 60.0, 70.0, 75.0, 80.0])
 """Latitudes, degrees."""

@@ -11,7 +11,7 @@ from saratov import LATITUDE, SCHULER
 VERTICAL_RATE = EARTH_RATE * np.sin(LATITUDE)
 
 
-@published("14-frequency-response")
+@published("15-frequency-response")
 def test_the_compass_answers_waves_as_the_loop_says(figure: PublishedFigure) -> None:
     for disturbance, parts in figure.data.gain_and_lead.items():
         # The coupling by the Earth's turn, (U sin(latitude)/2 zeta ws)^2, and the Coriolis force.
@@ -23,7 +23,7 @@ def test_the_compass_answers_waves_as_the_loop_says(figure: PublishedFigure) -> 
     assert answer[2] < 0.003 * answer[1]
 
 
-@published("14-pulses")
+@published("15-pulses")
 def test_a_laser_gyro_unit_finds_north_with_a_damped_horizon(figure: PublishedFigure) -> None:
     """From the record if it is at hand, else from the table that was computed from it."""
     read, whole = np.degrees(figure.data.by_integrals), np.degrees(figure.data.by_whole_rate)

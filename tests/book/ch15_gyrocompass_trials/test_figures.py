@@ -7,9 +7,9 @@ import pytest
 from scipy.stats import beta, binom, chi, kstest
 
 from driftlab.book.ch13_finding_north import experiments as alignments
-from driftlab.book.ch14_gyrocompass_under_way import experiments as at_work
-from driftlab.book.ch14_gyrocompass_under_way.experiments import dial, restarts, settling
-from driftlab.book.ch14_gyrocompass_under_way.experiments.trials import (
+from driftlab.book.ch15_gyrocompass_trials import experiments as at_work
+from driftlab.book.ch15_gyrocompass_trials.experiments import dial, restarts, settling
+from driftlab.book.ch15_gyrocompass_trials.experiments.trials import (
     largest_range_over_standard_deviation,
 )
 from driftlab.book.machinery.figure.publish import PublishedFigure
@@ -20,7 +20,7 @@ from support import EPS, chi_bounds, largest, range_distribution
 # Restarts
 
 
-@published("14-restarts")
+@published("15-restarts")
 def test_the_noise_of_the_paper_needs_more_than_white_noise(figure: PublishedFigure) -> None:
     """0.06 to 0.5 deg/h become 0.01 to 0.02 in one window only if something slow is left."""
     data = figure.data
@@ -32,7 +32,7 @@ def test_the_noise_of_the_paper_needs_more_than_white_noise(figure: PublishedFig
     np.testing.assert_allclose(np.sqrt(after**2 - white_alone**2), 0.01, rtol=0.01)
 
 
-@published("14-restarts")
+@published("15-restarts")
 def test_restarts_spread_as_their_noise_says(figure: PublishedFigure) -> None:
     data = figure.data
     assert data.aligned_heading.shape == (at_work.RESTARTS,)
@@ -47,7 +47,7 @@ def test_restarts_spread_as_their_noise_says(figure: PublishedFigure) -> None:
     assert low < (data.raw / data.standard_deviations[1, 0]).var() < high
 
 
-@published("14-restarts")
+@published("15-restarts")
 def test_a_range_of_the_papers_spread_is_rare_for_its_deviation(figure: PublishedFigure) -> None:
     """A pair that is so far apart follows a beta law; pairs, counted twice or not, are fewer."""
     data = figure.data
@@ -65,7 +65,7 @@ def test_a_range_of_the_papers_spread_is_rare_for_its_deviation(figure: Publishe
     assert data.ranges.shape == (at_work.TRIALS,)
 
 
-@published("14-restarts")
+@published("15-restarts")
 def test_a_spread_of_six_deviations_is_nothing_to_explain(figure: PublishedFigure) -> None:
     """Each reading beside the others; what is rounded in either number changes none of them."""
     taken, rounded, least, both_ways, six = at_work.spread_readings(figure.data.ranges).values()
@@ -95,7 +95,7 @@ def test_rounding_is_the_least_and_the_most_that_reads_so() -> None:
 SHOWN = 4  # index of the lasting drift from which one unit is shown
 
 
-@published("14-static-characteristic")
+@published("15-static-characteristic")
 def test_the_shown_unit_follows_its_formula_within_the_noise_of_three_runs(
     figure: PublishedFigure,
 ) -> None:
@@ -118,7 +118,7 @@ def test_the_shown_unit_follows_its_formula_within_the_noise_of_three_runs(
     assert worst == pytest.approx(wanted, rel=0.01)
 
 
-@published("14-static-characteristic")
+@published("15-static-characteristic")
 def test_the_error_of_the_paper_is_the_median_of_the_shown_drift(figure: PublishedFigure) -> None:
     data = figure.data
     for by_size in (data.by_drift, data.by_offset):
@@ -172,7 +172,7 @@ def test_without_noise_a_unit_has_one_characteristic() -> None:
 # Settling
 
 
-@published("14-settling")
+@published("15-settling")
 def test_the_horizon_settles_as_an_oscillator_with_its_damping(figure: PublishedFigure) -> None:
     data = figure.data
     # The envelope falls with exp(-zeta wn t); in a whole period by so much.

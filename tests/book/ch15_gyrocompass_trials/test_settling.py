@@ -5,7 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import solve_continuous_lyapunov
 
-from driftlab.book.ch14_gyrocompass_under_way.experiments.settling import (
+from driftlab.book.ch15_gyrocompass_trials.experiments.settling import (
     damped_rate_standard_deviation,
     schuler_deviation,
 )

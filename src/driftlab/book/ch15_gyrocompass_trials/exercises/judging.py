@@ -1,20 +1,17 @@
-"""Exercises 14.7 and 14.8: what a compass may show, by chance and by a standard."""
+"""Exercises 15.2 and 15.3: what a compass may show, by chance and by a standard."""
 
 from functools import cache
 
 import numpy as np
 from scipy.constants import degree, hour
 
-from driftlab.book.ch14_gyrocompass_under_way.experiments.trials import (
-    range_over_standard_deviation,
-)
 from driftlab.book.machinery.exercise.answers import Value
 from driftlab.book.machinery.exercise.exercise import Exercise
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.type_test import LIMITS
 
-from ..experiments import RESTARTS, TRIALS
+from ..experiments import RESTARTS, TRIALS, range_over_standard_deviation
 
 OUTLIER_TRIALS = 120_000
 WITHIN = 5.56
@@ -44,7 +41,7 @@ def _without_outliers() -> float:
 def _drift_and_latitude(
     aside: float = 1.0, secant: bool = True, shown: float = 4.0, of: str = "turn"
 ) -> FloatArray:
-    """Largest level drifts at the equator and at 70 degrees, deg/h, and latitude of 14.8, deg."""
+    """Largest level drifts at the equator and at 70 degrees, deg/h, and latitude of 15.3, deg."""
     share = LIMITS["settle point"].size * EARTH_RATE / (degree / hour) * aside
     level = shown * TURNING_DRIFT / (EARTH_RATE * LIMITS[of].size)
     north = share if secant else share * np.cos(HIGH_LATITUDE)
@@ -52,7 +49,7 @@ def _drift_and_latitude(
 
 
 EXERCISES: dict[str, Exercise] = {
-    "14.7": Value(
+    "15.2": Value(
         kind="compute",
         right=_how_often,
         accuracy=0.06,
@@ -67,8 +64,8 @@ EXERCISES: dict[str, Exercise] = {
         },
         remark="If one restart in ten goes astray, the paper's numbers are usual even as a range.",
     ),
-    "14.8": Value(
-        kind="compute",
+    "15.3": Value(
+        kind="predict",
         right=_drift_and_latitude,
         absolute=(0.002, 0.002, 0.3),
         mistakes={

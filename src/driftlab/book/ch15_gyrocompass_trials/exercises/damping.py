@@ -1,4 +1,4 @@
-"""Exercise 14.9: a damping ratio, and what it lets through."""
+"""Exercise 15.1: a damping ratio, and what it lets through."""
 
 import numpy as np
 
@@ -33,7 +33,7 @@ def _answer(
 
 
 EXERCISES: dict[str, Exercise] = {
-    "14.9": Value(
+    "15.1": Value(
         kind="compute",
         right=_answer,
         absolute=(0.004, 0.003, 6e-6),

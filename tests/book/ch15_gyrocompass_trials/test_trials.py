@@ -9,7 +9,7 @@ from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
 from scipy.stats import beta, binom, chi, kstest
 
-from driftlab.book.ch14_gyrocompass_under_way.experiments.trials import (
+from driftlab.book.ch15_gyrocompass_trials.experiments.trials import (
     largest_range_over_standard_deviation,
     range_over_standard_deviation,
     turntable_heading_error,

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.constants import g, hour, minute
 
-from driftlab.book.ch14_gyrocompass_under_way.experiments import at_sea
+from driftlab.book.ch15_gyrocompass_trials.experiments import at_sea
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass import LIMITS, align, align_in_inertial_frame
@@ -122,7 +122,7 @@ def test_a_turn_tells_the_filter_the_drifts(latitude: float, period: float | Non
         assert 0.2 < filtered / says < 1
 
 
-@published("14-settling-at-sea")
+@published("15-settling-at-sea")
 def test_the_study_at_sea_is_what_the_code_makes(figure: PublishedFigure) -> None:
     again, data = at_sea.settling_at_sea([15.0], [0.0]), figure.data
     np.testing.assert_allclose(again.settling[:, 0], data.settling[:, -1], rtol=1e-6)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import degree, hour, minute
 
+from driftlab.book.ch14_gyrocompass_under_way.experiments import DAMPING
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE, SCHULER_PERIOD
 from driftlab.checks import FloatArray, finite_array, positive_number
@@ -16,7 +17,6 @@ from driftlab.gyrocompass.simulation import simulate_gyrocompass
 from driftlab.motion.vehicle import vehicle_trajectory
 
 from .settling import FREQUENCY
-from .voyages import DAMPING
 
 SWELL, DAY = 8.0, 24 * hour
 """Periods of a swell and of a day, s."""
