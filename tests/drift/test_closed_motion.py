@@ -228,3 +228,15 @@ def test_the_area_law_is_off_by_no_more_than_its_bound():
         error = Rotation.from_rotvec(exact_drift_per_cycle(motion, matrix)).as_matrix()
         off = np.linalg.norm(error - np.eye(3) - cross_matrix(law), 2)
         assert off < first + (m * lengths.sum()) ** 2 / 2 + 1e-12
+
+
+def test_a_skew_triad_leaves_the_second_order_of_the_area_law():
+    """A circle through the origin: to first order nothing, the bound of the first order is zero."""
+    phase = np.linspace(0, 2 * np.pi, 2001)
+    theta = 0.13 * np.stack([1 - np.cos(phase), np.sin(phase), 0 * phase], axis=-1)
+    attitude = Rotation.from_rotvec(theta)
+    motion = (attitude[:-1].inv() * attitude[1:]).as_rotvec()
+    skew = 0.01 * cross_matrix(np.ones(3))
+    assert np.linalg.norm(drift_per_cycle(motion, skew)) < 1e-15
+    left = np.linalg.norm(exact_drift_per_cycle(motion, skew))
+    assert 9e-6 < left < (np.linalg.norm(skew, 2) * 2 * np.pi * 0.13) ** 2 / 2

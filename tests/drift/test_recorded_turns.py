@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from scipy.constants import arcsecond, degree, hour
+from scipy.integrate import cumulative_trapezoid, trapezoid
 from scipy.spatial.transform import Rotation
 
 from driftlab.attitude import integrate
@@ -354,6 +355,51 @@ def test_without_noise_the_second_order_is_allowed_for(axes, largest):
     squares = np.einsum("ni,nij,nj->n", errors, np.linalg.inv(fit.covariance), errors)
     assert 3 < squares.mean() < 9 + 5 * np.sqrt(18 / count)
     assert ((errors**2).mean(axis=0) < 1.2 * fit.covariance.mean(axis=0).diagonal()).all()
+
+
+def test_the_covariance_allows_for_axes_near_one_plane():
+    """Six axes within a degree of a plane: the error of u is some fifty times that of an axis."""
+    rng, count = np.random.default_rng(3), 400
+    for error in (10 * arcsecond, 300 * arcsecond):
+        round_, up = rng.uniform(0, np.pi, 6), np.radians(rng.uniform(-1, 1, 6))
+        axes = np.stack([np.cos(round_), np.sin(round_), np.tan(up)], axis=-1)
+        axes /= np.linalg.norm(axes, axis=1, keepdims=True)
+        true = axes + np.cross(axes, rng.normal(0, error, (count, 6, 3)))
+        whole = 2 * np.pi * true / np.linalg.norm(true, axis=-1, keepdims=True)
+        fit = fit_error_matrix(whole, -whole, axes, angle_noise=1e-12, axis_error=error)
+        found = fit.error_matrix.reshape(count, 9).std(axis=0)
+        # Five standard deviations of a standard deviation, and a fifth for first order.
+        assert (found < 1.4 * np.sqrt(fit.covariance.mean(axis=0).diagonal())).all()
+
+
+@pytest.mark.parametrize(("axes", "stated"), [(np.eye(3), 0.5), (SIX_AXES, 0.26)])
+def test_an_error_that_all_axes_share_is_skew_and_not_in_the_covariance(axes, stated):
+    error = 60 * arcsecond
+    fit = fit_error_matrix(
+        *turned(axes, [[error, 0, 0]]), axes, angle_noise=1e-12, axis_error=error
+    )
+    matrix, covariance = fit.error_matrix, fit.covariance.reshape(3, 3, 3, 3)
+    assert (matrix[2, 1] - matrix[1, 2]) / 2 == pytest.approx(error, rel=1e-3)
+    variance = covariance[2, 1, 2, 1] + covariance[1, 2, 1, 2] - 2 * covariance[2, 1, 1, 2]
+    assert variance / 4 / error**2 == pytest.approx(stated, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("ramps", "heading", "arc_seconds"),
+    [((2, 2), 0, 0.0), ((2, 2), np.pi, 2.98), ((5, 5), np.pi, 7.40), ((2, 6), 0, 0.34)],
+)
+def test_ramps_leave_the_level_earth_rate_unless_heading_and_profile_agree(
+    ramps, heading, arc_seconds
+):
+    """Turns at 10 degrees per second at 51.5 degrees North; ramps in seconds."""
+    rate = 10 * degree
+    time = np.linspace(0, 2 * np.pi / rate + sum(ramps) / 2, 20001)
+    pace = np.clip(np.minimum(time / ramps[0], (time[-1] - time) / ramps[1]), 0, 1)
+    angle = rate * cumulative_trapezoid(pace, time, initial=0)
+    directions = np.exp(1j * angle), np.exp(1j * (heading - angle))
+    level = EARTH_RATE * np.cos(51.5 * degree)
+    there, back = (level * trapezoid(each, time) for each in directions)
+    assert abs(there - back) / (4 * np.pi) / arcsecond == pytest.approx(arc_seconds, abs=5e-3)
 
 
 def test_larins_number_is_the_part_along_the_axis():

@@ -349,6 +349,19 @@ def test_2_6_is_off_by_no_more_than_its_bound():
         assert (off[small] > 0.95 * bound[small]).all()
 
 
+def test_2_6_has_its_bound_down_to_the_lean_at_which_the_drift_turns_back():
+    """Unit axes that lean by -50 to 80 degrees, about the space diagonal."""
+    chi = np.radians(np.arange(-50, 81))
+    sigma = np.tan(chi) / np.sqrt(2)
+    unit = np.cos(chi) * (1 + 2 * sigma)  # n^T A n, and A n is along n
+    off = np.abs(2 * np.pi * (np.abs(unit) - 1) - 2 * np.sqrt(2) * np.pi * chi)
+    bound = 2 * np.pi * (chi**2 / 2 + np.sqrt(2) * np.abs(chi) ** 3 / 6)
+    inside = sigma > -0.5
+    np.testing.assert_array_equal(inside, chi > np.radians(-35.2))
+    assert (off <= bound + 1e-12)[inside].all()
+    assert (off > bound)[chi < np.radians(-45.6)].all()
+
+
 @given(matrices(0.1), directions())
 def test_principal_drifts_bound_every_axis(error_matrix, n):
     coefficients, axes = principal_drifts(error_matrix)

@@ -180,8 +180,9 @@ def fit_error_matrix(
 
     .. math:: \frac{\gamma_+ - \gamma_-}{4\pi k} - n = A n - n = M n
 
-    exactly. Three axes give all nine entries. With ramps it remains exact if the second half of the
-    turn mirrors the first.
+    exactly. Three axes give all nine entries. With ramps it remains exact if both turns start at
+    the same heading with the same rate profile, and the second half of the profile mirrors the
+    first.
 
     An axis that is off by a small vector e adds :math:`A e`. Along :math:`u = A^{-T} n` this is
     :math:`u^T A e = n^T e = -e^T e/2`, because the true axis has unit length as well; across u it
@@ -190,10 +191,12 @@ def fit_error_matrix(
     symmetric part only if six axes determine it by what is measured along u.
 
     Each axis is weighted by the inverse of its covariance,
-    :math:`(s^2 + 4 a^4) I + a^2 A (I - n n^T) A^T`, where s is the noise of half a difference, a is
-    `axis_error`, and A comes from a fit without weights; `covariance` follows from it, for axis
-    errors that are independent of each other. See Larin (3.3) for :math:`n^T \Sigma n`, the part
-    along the axis.
+    :math:`(s^2 + 2 (1 + p^2) a^4) I + a^2 A (I - n n^T) A^T`, where s is the noise of half a
+    difference, a is `axis_error`, and A comes from a fit without weights. The norm p of the
+    pseudo-inverse of the axes, or 1 if that is larger, allows for axes near one plane. `covariance`
+    follows from this, for axis errors that are independent of each other; an error that all axes
+    share goes into the skew part in full, and the covariance does not contain it. See Larin (3.3)
+    for :math:`n^T \Sigma n`, the part along the axis.
 
     Examples
     --------
@@ -222,8 +225,9 @@ def fit_error_matrix(
     # The noise of two sums is independent; half of their difference has 1/sqrt(2) of it.
     noise = positive_number(angle_noise, "angle_noise") / (np.sqrt(2) * scale)
     # At second order an error e counts along the axis by -|e|^2/2, with an rms of sqrt(2) a^2, and
-    # by its product with the error of u, which is as large at most.
-    noise = np.hypot(noise, 2 * uncertain**2)
+    # by its product with the error of u, which grows as the axes come near one plane.
+    nearness = max(1.0, float(np.linalg.norm(np.linalg.pinv(n), 2)))
+    noise = np.hypot(noise, np.sqrt(2 + 2 * nearness**2) * uncertain**2)
     there, back = (
         _sums(value, name, n, sense * count)
         for value, name, sense in ((forward, "forward", 1), (backward, "backward", -1))
