@@ -54,7 +54,7 @@ HEAVY = (
     "notebook-13_finding_north.ipynb",
     "TypeTestExplorer",
     "MissionExplorer",
-    "notebook-04_calibration_by_turns.ipynb",
+    "notebook-05_rate_table_on_earth.ipynb",
     "figure-08-in-place-claim",
     "AllanExplorer",
     "ObservabilityExplorer",

@@ -101,7 +101,7 @@ def test_worst_axis_from_drifts_about_many_axes(edition):
 
 @pytest.mark.parametrize("edition", EDITIONS)
 def test_table_on_the_earth_by_hand(edition):
-    found = question(edition, "04")
+    found = question(edition, "05")
     latitude, _, rate, one, other, _ = numbers(found.given)
     latitude *= -1 if "South" in found.given else 1
     upright = EARTH * sin(radians(latitude))

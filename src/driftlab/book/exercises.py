@@ -198,12 +198,12 @@ def given(number: str | float, *, student: str = "") -> Given:
     Examples
     --------
     >>> from driftlab.book import given
-    >>> given("4.6")
-    # Exercise 4.6, the numbers of the book
+    >>> given("5.1")
+    # Exercise 5.1, the numbers of the book
     latitude = -33.9  # degrees
     table_rate = -20.0  # degrees a second
-    >>> mine = given("4.6", student="Ada Lovelace")
-    >>> mine["latitude"] == given("4.6", student="ada  lovelace")["latitude"]
+    >>> mine = given("5.1", student="Ada Lovelace")
+    >>> mine["latitude"] == given("5.1", student="ada  lovelace")["latitude"]
     True
     """
     name, exercise = _exercise(number)

@@ -49,7 +49,9 @@ def nine(triad, axes, true, turns, deviations, rng):
     ]
     found = (sums[0] - sums[1]) / (4 * np.pi * turns) - axes
     # Generalised least squares by normal equations; the triad from an unweighted fit.
-    noise = np.hypot(max(noise, 1e-9) / (np.sqrt(8) * np.pi * turns), 2 * uncertain**2)
+    nearness = max(1.0, np.linalg.norm(np.linalg.pinv(axes), 2))
+    second_order = np.sqrt(2 + 2 * nearness**2) * uncertain**2
+    noise = np.hypot(max(noise, 1e-9) / (np.sqrt(8) * np.pi * turns), second_order)
     triad_found = np.eye(3) + np.linalg.lstsq(axes, found)[0].T
     normal, right = np.zeros((9, 9)), np.zeros(9)
     for n, half in zip(axes, found, strict=True):

@@ -1,65 +1,64 @@
-"""The puzzle of chapter 04: a perfect triad on a perfect table."""
+"""The puzzle of chapter 04: a whole turn made by hand, in jerks."""
 
 import numpy as np
-from scipy.constants import arcsecond, degree
-
-from driftlab.drift import recorded_turn_estimate
-from driftlab.motion import TurntableRotation
+from scipy.constants import arcsecond
+from scipy.spatial.transform import Rotation
 
 from ..machinery.exercise.puzzle import Choice, Number, Puzzle
 
-LATITUDE = 37.5 * degree
-RATE = 10 * degree
-AXIS = [1, 1, 0]
-"""The diagonal between the first two gyros."""
+LEAN = 2e-3
+"""What the third gyro takes from the first axis; by this angle the two miss a right angle."""
+AXIS = np.array([1.0, 0, 1]) / np.sqrt(2)
+"""The axis of the turn, between the two gyros."""
+DEGREES = (0, 50, 20, 110, 90, 230, 225, 300, 260, 360)
+"""Where the hand stops on the way."""
 
-LESS, SAME, OTHER_SIGN, NOTHING = (
-    "the same kind of error, but less of it",
-    "the same error again",
-    "the same error with the other sign",
-    "no error at all",
+TENTH, SAME, ROOT, TENFOLD = (
+    "a tenth of it",
+    "the same",
+    "divided by the square root of ten",
+    "ten times as much",
 )
 
 
-def seeming_error(rate: float) -> float:
-    """Angle that the first two gyros seem to miss of a right angle, arc seconds.
+def missed(turns: int = 1) -> float:
+    """By how much the angle found between the gyros is wrong, arc seconds."""
+    triad = np.eye(3)
+    triad[2, 0] = LEAN
+    attitude = Rotation.identity()
+    for step in np.tile(np.diff(np.radians(DEGREES)), turns):
+        attitude = attitude * Rotation.from_rotvec(triad @ AXIS * step)
+    *vector, scalar = attitude.as_quat()
+    sigma = np.arctan(vector @ AXIS / scalar) / (turns * np.pi)
+    return float(2 * sigma - LEAN) / arcsecond
 
-    A negative rate (rad/s) is clockwise.
-    """
-    record = TurntableRotation(rate, latitude=LATITUDE).increments(AXIS, samples=360)
-    # A turn estimates half of what the two axes miss.
-    return 2 * float(recorded_turn_estimate(record.angle, AXIS)) / arcsecond
 
-
-def other_way() -> str:
-    """What the clockwise turn shows."""
-    there, back = seeming_error(RATE), seeming_error(-RATE)
-    if np.isclose(back, -there, rtol=1e-3):
-        return OTHER_SIGN
-    if np.isclose(back, there, rtol=1e-3):
-        return SAME
-    return LESS if abs(back) > 1e-3 * abs(there) else NOTHING
+def after_ten_turns() -> str:
+    """What becomes of it with ten turns."""
+    ratio = missed(10) / missed()
+    candidates = {TENTH: 0.1, SAME: 1.0, ROOT: 0.1**0.5, TENFOLD: 10.0}
+    return min(candidates, key=lambda name: abs(candidates[name] - ratio))
 
 
 PUZZLE = Puzzle(
     chapter="04",
-    edition=1,
+    edition=2,
     questions=(
         Number(
-            asks="How far do two perfect gyros seem to be from a right angle?",
+            asks="How far is the angle found from the true one?",
             unit="″",
-            low=0.1,
-            high=10000,
-            truth=lambda: seeming_error(RATE),
+            low=0.01,
+            high=1000,
+            truth=missed,
         ),
         Choice(
-            asks="You turn it once more, clockwise. What do you find?",
-            options=(LESS, SAME, OTHER_SIGN, NOTHING),
-            truth=other_way,
+            asks="You make ten turns instead of one. The error of the angle becomes",
+            options=(TENTH, SAME, ROOT, TENFOLD),
+            truth=after_ten_turns,
         ),
     ),
     says=(
-        "Nothing is wrong with the gyros, the table or the computer. And yet everybody who does "
-        "this sees it. So what did the gyros feel, and how would you get rid of it?"
+        "The pace was uneven, nobody measured it, and nothing on board showed a direction. So what "
+        "exactly does a whole turn measure, and why does it never become quite right?"
     ),
 )

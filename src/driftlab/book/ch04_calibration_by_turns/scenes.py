@@ -1,4 +1,7 @@
-"""The calibration as a living scene: four mountings on a turntable, and what each turn leaves."""
+"""The calibration as a living scene: four mountings on a turntable, and what each turn leaves.
+
+Chapter 05 shows it too, with the Earth turning under the table.
+"""
 
 from __future__ import annotations
 
@@ -34,8 +37,7 @@ from driftlab.checks import FloatArray
 from driftlab.motion.turntable_rotation import TurntableRotation
 from driftlab.quaternion import from_rotation_vector, multiply
 
-from .experiments import AS_DERIVED, mountings
-from .puzzle import LATITUDE, RATE
+from .experiments import AS_DERIVED, LATITUDE, TABLE_RATE, mountings
 
 FEET: FloatArray = np.array([[x, 0.0, 0.0] for x in (-0.9, -0.3, 0.3, 0.9)])
 """Where the error vectors of the four turns stand."""
@@ -210,7 +212,8 @@ class FourMountings(SceneExplorer):
 
     @staticmethod
     def _table(values: Values) -> TurntableRotation:
-        return TurntableRotation(RATE, latitude=LATITUDE if values["earth"] == "turning" else None)
+        latitude = LATITUDE if values["earth"] == "turning" else None
+        return TurntableRotation(TABLE_RATE, latitude=latitude)
 
     def compute(self, values: Values) -> DataTable:
         return mountings(error_matrix_of(values), self._table(values))

@@ -18,18 +18,14 @@ from .free_numbers import (
     free_numbers as free_numbers,
     step_error as step_error,
 )
-from .mountings import mountings as mountings
-from .real_table import (
-    SIGMA_ON_TABLE as SIGMA_ON_TABLE,
-    WAYS as WAYS,
-    RealTable as RealTable,
-    budget as budget,
-    real_table as real_table,
-    sigmas_by_way as sigmas_by_way,
-    simulated_turns as simulated_turns,
+from .mountings import (
+    LATITUDE as LATITUDE,
+    TABLE_RATE as TABLE_RATE,
+    mountings as mountings,
 )
 from .turns import (
     FORMULAS as FORMULAS,
+    SEED as SEED,
     estimate_errors as estimate_errors,
     expected_noise as expected_noise,
     method_bias as method_bias,

@@ -2,6 +2,7 @@
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.constants import degree
 
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, finite_array
@@ -21,6 +22,8 @@ from driftlab.quaternion import (
 )
 from driftlab.triad import non_orthogonality
 
+LATITUDE, TABLE_RATE = 37.5 * degree, 10 * degree
+"""Where the table stands, if it stands on the Earth, and how fast it turns, rad/s."""
 SAMPLES = 90
 """Moments of a turn."""
 RESTS, MOVES = 8, 12

@@ -16,7 +16,7 @@ from .turns import SEED
 METHODS = (
     "three axes, no weighing",
     "Yates, sum corrected by 3/2",
-    "Yates, sum as in the copy",
+    "Yates, sum without a factor",
     "least squares",
     "least squares with offset",
 )

@@ -7,7 +7,7 @@ from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
 from ..experiment_numbers import NAMES, TRIADS
-from . import free_numbers, larin_digits, real_table, turn_bias, turn_estimates, weighing_designs
+from . import free_numbers, larin_digits, turn_bias, turn_estimates, weighing_designs
 
 
 def _free_caption(data: DataTable) -> str:
@@ -82,20 +82,6 @@ FIGURES = (
             f"Monte Carlo of {data.runs} runs; the bars are 95 % intervals, the strokes "
             "closed forms. Without an offset least squares is best; with one, only the estimate "
             "that solves for the offset is unharmed."
-        ),
-    ),
-    FigureDefinition(
-        "04-real-table",
-        experiments.real_table,
-        real_table.draw,
-        lambda data: (
-            "Turns on the Earth, with all errors of a real table. Lines: the budget to first "
-            f"order; marks: simulations of {data.runs} calibrations with 95 % intervals. As "
-            "published, in one sense the Earth covers everything else; both senses leave the scale "
-            "factor, and a common offset solved for leaves the gyro bias. Both together leave "
-            f"{data.shown('effect')[-1, -1]:.1f} arc seconds at "
-            f"{data.shown('table_rate'):.3g} deg/s. Source by source, a row is a source; "
-            f"a mark that is not there is below {real_table.LOWEST:g} arc seconds."
         ),
     ),
 )

@@ -268,7 +268,7 @@ def worst_axis(draw: Generator) -> Question:
 
 
 def table_on_the_earth(draw: Generator) -> Question:
-    """Chapter 04: runs in both directions, on a table that the Earth carries."""
+    """Chapter 05: runs in both directions, on a table that the Earth carries."""
     degrees = int(draw.integers(35, 66))
     south = bool(draw.integers(2))
     latitude = np.radians(-degrees if south else degrees)
@@ -291,7 +291,7 @@ def table_on_the_earth(draw: Generator) -> Question:
     return question(
         draw,
         rf"""
-        04, 11 minutes: A table on the Earth
+        05, 11 minutes: A table on the Earth
         say what the Earth's rate, a gyro bias and a scale factor do to the result
 
         At latitude {degrees}° {"South" if south else "North"} a triad is mounted on a table with a

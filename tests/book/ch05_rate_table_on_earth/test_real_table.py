@@ -7,14 +7,14 @@ import pytest
 from scipy.constants import arcsecond, degree, hour
 
 from driftlab.book import TurnCalibrationExplorer
-from driftlab.book.ch04_calibration_by_turns.experiments import (
+from driftlab.book.ch05_rate_table_on_earth.experiments import (
     WAYS,
     RealTable,
     budget,
     sigmas_by_way,
     simulated_turns,
 )
-from driftlab.book.ch04_calibration_by_turns.figures.real_table import LOWEST
+from driftlab.book.ch05_rate_table_on_earth.figures.real_table import LOWEST
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.drift.weighing_designs import YATES_AXES
 from driftlab.earth import EARTH_RATE
@@ -43,7 +43,7 @@ def test_budget_by_hand() -> None:
     bias = 0.3 * degree / hour / (10 * degree) / arcsecond
     assert rows["gyro bias"][ONE] == pytest.approx(bias, rel=1e-9)
     assert rows["table overshoots"][ONE] == pytest.approx(5 / (2 * np.pi), rel=1e-9)
-    # Variance 1, a half by two senses, 2 by the offset (exercise 4.5), 1 by both.
+    # Variance 1, a half by two senses, 2 by the offset (exercise 4.4), 1 by both.
     walk = table.angle_random_walk * 6 / (2 * np.pi) / arcsecond
     noise = [rows["gyro noise"][way] for way in WAYS]
     np.testing.assert_allclose(noise, walk * np.sqrt([1, 0.5, 2, 1]), rtol=1e-9)
@@ -122,7 +122,7 @@ def test_second_order_of_the_estimate_on_a_table(rate: float) -> None:
                 assert abs(second) > 50 * (4 * size**3)
 
 
-@published("04-real-table")
+@published("05-real-table")
 def test_simulation_agrees_with_the_budget(figure: PublishedFigure) -> None:
     data = figure.data
     expected = data.expected[:, np.searchsorted(data.rate, data.simulated_rate)]
@@ -134,7 +134,7 @@ def test_simulation_agrees_with_the_budget(figure: PublishedFigure) -> None:
     assert "0.5 arc seconds at 10 deg/s" in figure.definition.caption(data)
 
 
-@published("04-real-table")
+@published("05-real-table")
 def test_figure_says_what_each_way_leaves(figure: PublishedFigure) -> None:
     effects = figure.data.effect[:, :-1]  # without that of all
     assert [figure.data.source[i] for i in effects.argmax(axis=1)] == [

@@ -16,8 +16,7 @@ from driftlab.imu import NO_ERRORS, ImuNoise
 from driftlab.increments import measure
 from driftlab.motion.turntable_rotation import TurntableRotation
 
-from .calibrations import SENSES, error_matrix
-from .turns import SEED
+from ..ch04_calibration_by_turns.experiments import SEED, SENSES, error_matrix
 
 SIGMA_ON_TABLE: FloatArray = np.array([-30.0, 20.0, 30.0]) * arcsecond
 """True sigmas, rad; chapter 16 has the same triad."""
