@@ -32,9 +32,9 @@ def roots(values: Values) -> Rows:
     rows = [("slow root, exact", f"{slow:.6f} i")]
     for name, fast, slow_one in (
         ("exact", exact_roots(rate, measured).imag.max(), slow),
-        ("first order, (2.2)", first[0], first[2]),
+        ("first order", first[0], first[2]),
         ("with the next term", second[0], second[2]),
-        ("(2.1) as the copy has it", sizes[1], np.copysign(sizes[0], slow)),
+        ("one term missing", sizes[1], np.copysign(sizes[0], slow)),
     ):
         rows.append((f"{name}: fast root", f"{fast:.9f} i"))
         rows.append((f"{name}: slow root", f"{slow_one:.9f} i"))

@@ -18,9 +18,9 @@ from driftlab.triad import measured_rate
 SIZES: FloatArray = np.concatenate([np.geomspace(1e-5, 1e-2, 25), np.linspace(0.0125, 0.5, 40)])
 FORMULAS = {
     "exact": "exact",
-    "first order": "first order, (2.2)",
+    "first order": "first order",
     "second order": "with the next term",
-    "in the copy": "(2.1) as the copy has it",
+    "in the copy": "one term missing",
 }
 """What the formulas are called in a table, and where a reader sees them."""
 LEAST = 1e-15

@@ -18,7 +18,7 @@ SIZES = (1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.
 
 
 class RootsExplorer(Explorer):
-    """Roots of (2.1): exact, asymptotic, and of the equation in the copy."""
+    """Roots of (2.1): exact, asymptotic, and of the equation with one term missing."""
 
     title = "Roots of the characteristic equation against deformation and axis"
     picture_class = RootsPicture

@@ -12,10 +12,10 @@ FIGURES = (
         roots.RootsPicture.draw,
         lambda data: (
             "Roots of the characteristic equation for a bent triad, published for a symmetric one. "
-            f"The vertical line marks the size {data.size:g} of the complex plane. Larin's "
+            f"The vertical line marks the size {data.size:g} of the complex plane. The "
             "first-order roots err by the size squared, with one more term by its cube. The "
-            "equation as the copy has it is as good at first order and spoils the next term of the "
-            "fast root."
+            "equation with one term missing is as good at first order and spoils the next term of "
+            "the fast root."
         ),
     ),
 )

@@ -53,8 +53,8 @@ class RootsPicture(Picture):
         drawn = {
             "first order, fast": "first order",
             "second order, fast": "with the next term",
-            "in the copy, fast": "in the copy: fast root",
-            "in the copy, slow": "in the copy: slow root",
+            "in the copy, fast": "one term missing: fast root",
+            "in the copy, slow": "one term missing: slow root",
         }
         for (name, label), style in zip(drawn.items(), SERIES[1:], strict=False):
             self.curve(error, "sizes", f"error, {name}", **style, label=label)
