@@ -157,7 +157,7 @@ EXERCISES: dict[str, Exercise] = {
             "The cube in the binomial series is missing; it has a term in μ³ as well.": (
                 lambda rho, r: _cubic(powers=2)(rho, r)
             ),
-            "This belongs to an equation in which one term is missing. Start from the exact root.": (
+            "This is for an equation with one term missing. Start from the exact root.": (
                 lambda rho, r: _cubic(as_copied=True)(rho, r)
             ),
             "This is the third derivative; the series divides it by a factorial.": (
