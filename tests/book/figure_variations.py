@@ -60,6 +60,7 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "04-larin-digits": {"texts": IN_THE_COPY, "steps": (100,)},
     "04-larin-free-numbers": {"largest_step_error": 1e-9, "factors": (0.9, 1.3)},
     "04-weighing-designs": {"runs": 50, "sigma": [1e-3, 0, 0], "offset": 1e-4},
+    "05-earth-under-table": {"rates": (0.1,), "sigma": 1e-4, "latitude": -0.7},
     "05-real-table": {"runs": 2, "table": RealTable(rate=0.5, gyro_bias=1e-5)},
     "06-cayley-map": {"angle": -1.0, "axis": [0, 0, 1]},
     "06-riccati-turns": {"misses": [0.1], "turns": 2, "steps": 50, "tolerances": [1e-4, 1e-5]},

@@ -37,6 +37,7 @@ REFUSED = [
     ("04-larin-free-numbers", {"factors": (-1, 1)}, "^factors: expected"),
     ("04-larin-free-numbers", {"factors": (2, 1)}, "^factors: expected the lowest before the high"),
     ("04-weighing-designs", {"noise": 0}, "^noise: expected"),
+    ("05-earth-under-table", {"rates": (0.1, -0.1)}, "^rates: expected positive numbers, got"),
     ("05-real-table", {"runs": 1}, "^runs: expected"),
     ("06-cayley-map", {"angle": 7.0}, "^angle: expected at most a whole turn either way"),
     ("06-riccati-turns", {"misses": ()}, "^misses: expected one or two distances, got 0"),

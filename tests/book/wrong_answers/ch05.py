@@ -24,7 +24,7 @@ WRONG = {
         ([9, 0.25, 0.25], "do not weigh alike"),
         ([12, 0.25, 0.75], "fewer do"),
         ([10, 0.25, 0.75], "no tenth unknown"),
-        ([9, 0.5, 1.5], "one sense only"),
+        ([9, 0.5, 1.5], "one direction only"),
         ([9, 0.25, 0.5], "without unknown scale factors"),
         ([9, 0.25, 2 / 3], "one common scale factor"),
         ([9, 0.5, 0.8660], "standard deviations"),

@@ -83,7 +83,7 @@ EXERCISES: dict[str, Exercise] = {
             "Two turns take twice the time, and (3.3) divides by twice the number: the number of "
             "turns does not matter.": lambda **table: WHOLE_TURNS * _earth_alone(**table),
         },
-        remark="The same for every axis in the body, and reversed for the other sense.",
+        remark="The same for every axis in the body, and reversed for the other direction.",
     ),
     "5.2": Choice(
         kind="explain",
@@ -94,7 +94,7 @@ EXERCISES: dict[str, Exercise] = {
             "e": "forgets that the triad error adds up at the same pace: the angle of the bias "
             "grows with the time, and so does what it is divided by.",
             "f": "takes two different things for one. The bias of the method is quadratic in M, "
-            "and the same in both senses.",
+            "and the same in both directions.",
         },
         remark="The Earth's rate goes the way of the bias. So turn both ways, as fast as the table "
         "and the gyros bear.",
@@ -104,7 +104,7 @@ EXERCISES: dict[str, Exercise] = {
         right=lambda: _nine(*_twelve_turns()),
         absolute=5e-3,
         mistakes={
-            "Six axes are needed for sigmas and scale factors, but in one sense each they say "
+            "Six axes are needed for sigmas and scale factors, but in one direction each they say "
             "nothing of the biases apart. Count all unknowns.": (
                 lambda: _nine(*_twelve_turns(), turns=6)
             ),
@@ -115,7 +115,7 @@ EXERCISES: dict[str, Exercise] = {
             "The Earth's rate is known here, so it is no tenth unknown.": (
                 lambda: _nine(*_twelve_turns(), turns=10)
             ),
-            "These variances belong to one sense only. Each axis is turned twice.": (
+            "These variances belong to one direction only. Each axis is turned twice.": (
                 lambda: _nine(*_twelve_turns(senses=1))
             ),
             'These variances are without unknown scale factors: use `scale_factor="each"`.': (

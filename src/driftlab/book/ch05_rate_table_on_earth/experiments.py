@@ -3,10 +3,11 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.constants import arcminute, arcsecond, degree, hour, micro
 
 from driftlab.book.machinery.figure.data_table import DataTable
-from driftlab.checks import FloatArray, whole_number
+from driftlab.checks import FloatArray, finite_array, shown, whole_number
 from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import earth_rate_offset, exact_turn_estimate
@@ -15,6 +16,13 @@ from driftlab.earth import earth_rate
 from driftlab.imu import NO_ERRORS, ImuNoise
 from driftlab.increments import measure
 from driftlab.motion.turntable_rotation import TurntableRotation
+from driftlab.quaternion import (
+    conjugate,
+    cumulative_product,
+    from_rotation_vector,
+    multiply,
+    to_rotation_vector,
+)
 
 from ..ch04_calibration_by_turns.experiments import SEED, SENSES, error_matrix
 
@@ -22,8 +30,15 @@ SIGMA_ON_TABLE: FloatArray = np.array([-30.0, 20.0, 30.0]) * arcsecond
 """True sigmas, rad; chapter 16 has the same triad."""
 BOTH = SENSES["both"]
 """Counter-clockwise, then clockwise, about each of Yates's four axes."""
-WAYS = ("one sense", "both senses", "one sense, common offset", "both senses, common offset")
+WAYS = (
+    "one direction",
+    "both directions",
+    "one direction, common offset",
+    "both directions, common offset",
+)
 """Three axes, or four if an offset is solved for."""
+SARATOV = 51.5 * degree
+"""Latitude of the turns of a misaligned triad."""
 SAMPLES = 72
 """Increments of a turn; `rotation-vector-2` needs no more."""
 
@@ -47,6 +62,67 @@ class RealTable:
     def triad(self) -> FloatArray:
         """Triad error (3, 3) without scale factors."""
         return error_matrix(SIGMA_ON_TABLE)
+
+
+def earth_under_table(
+    rates: ArrayLike = (10 * degree, 30 * degree, 60 * degree),
+    sigma: float = float(SIGMA_ON_TABLE[0]),
+    latitude: float = SARATOV,
+) -> DataTable:
+    """Seeming sigma of a perfect triad over the latitude, and one turn of a misaligned triad.
+
+    Turned about the diagonal between gyros 1 and 2. The turn is at the first rate, in both
+    directions; sigma is that of the two gyros.
+    """
+    speeds = np.atleast_1d(finite_array(rates, "rates"))
+    if not (speeds > 0).all():
+        raise ValueError(f"rates: expected positive numbers, got {shown(speeds)}.")
+    latitudes, marked = np.arange(-85, 86, 5) * degree, np.arange(-75, 76, 25) * degree
+    names = [f"{speed / degree:.3g} deg/s" for speed in speeds]
+    turned = [[_estimate(np.zeros((3, 3)), speed, place) for place in marked] for speed in speeds]
+    unit, there, back = error_matrix([sigma, 0, 0]), speeds[0], -speeds[0]
+    directions = np.array([_error_so_far(unit, rate, latitude) for rate in (there, back)])
+    return DataTable(
+        {
+            "latitude": (latitudes, "deg", "of the table"),
+            "offset": (
+                np.array([earth_rate_offset(latitudes, speed) for speed in speeds]), "arcsec",
+                "seeming sigma of a perfect triad, counter-clockwise, by the formula", names,
+            ),
+            "turned_latitude": (marked, "deg", "at which turns are simulated"),
+            "turned": (np.array(turned), "arcsec", "seeming sigma by a simulated turn", names),
+            "angle": (np.arange(SAMPLES + 1) * 2 * np.pi / SAMPLES, "deg", "turned so far"),
+            "direction": (directions, "arcsec", "error along the direction of the turn, over 2 pi",
+                          ("counter-clockwise", "clockwise")),
+            "mean": (directions.mean(axis=0), "arcsec", "of both directions"),
+        },
+        {
+            "sigma": (sigma, "arcsec", "true sigma of the triad that makes one turn"),
+            "place": (latitude, "deg", "latitude of that turn"),
+            "there": (float(directions[0, -1]), "arcsec", "found counter-clockwise"),
+            "back": (float(directions[1, -1]), "arcsec", "found clockwise"),
+        },
+    )  # fmt: skip
+
+
+def _felt(triad: FloatArray, rate: float, latitude: float) -> FloatArray:
+    """Increments (SAMPLES, 3) of a triad in a turn about the first pair axis."""
+    true = TurntableRotation(rate, latitude=latitude).increments(PAIR_AXES[0], SAMPLES)
+    return measure(true, NO_ERRORS._replace(gyro_error_matrix=triad)).angle
+
+
+def _estimate(triad: FloatArray, rate: float, latitude: float) -> float:
+    return float(recorded_turn_estimate(_felt(triad, rate, latitude), PAIR_AXES[0]))
+
+
+def _error_so_far(triad: FloatArray, rate: float, latitude: float) -> FloatArray:
+    """Error (SAMPLES + 1,) along the direction of a turn, divided by 2 pi."""
+    n = np.sign(rate) * PAIR_AXES[0]
+    computed = cumulative_product(from_rotation_vector(_felt(triad, rate, latitude)))
+    angles = np.arange(1, SAMPLES + 1) * 2 * np.pi / SAMPLES
+    true = from_rotation_vector(angles[:, np.newaxis] * n)
+    along = to_rotation_vector(multiply(conjugate(true), computed)) @ n
+    return np.concatenate([[0.0], along]) / (2 * np.pi)
 
 
 def sigmas_by_way(estimates: FloatArray) -> FloatArray:
