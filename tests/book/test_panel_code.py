@@ -26,6 +26,7 @@ from grouped import opened
 from panel_numbers import NUMBER, results_of, seconds_of
 from panel_numbers.ch02 import SHAPES
 from panel_numbers.ch04 import turn_calibration
+from panel_numbers.ch05 import turns_on_earth
 from panel_numbers.ch06 import cayley_map
 from panel_numbers.ch07 import algorithm_laboratory
 from panel_numbers.ch10 import split_triad
@@ -68,11 +69,8 @@ def drift(values: Values) -> np.ndarray:
 def estimates(values: Values) -> list[float]:
     if values["noise"]:
         return []
-    return [
-        1e-3 * float(text)
-        for name, text in turn_calibration(values)
-        if re.match("σ[₁₂₃]: found", name)
-    ]
+    rows = turns_on_earth if "earth" in values else turn_calibration
+    return [1e-3 * float(text) for name, text in rows(values) if re.match("σ[₁₂₃]: found", name)]
 
 
 def cayley(values: Values) -> np.ndarray:
@@ -110,6 +108,7 @@ CASES = (
     ("RootsExplorer", first_order_roots, {"rel": 1e-12}),
     ("DriftExplorer", drift, {"rel": 1e-12}),
     ("TurnCalibrationExplorer", estimates, {"abs": 6e-8}),
+    ("EarthTurnsExplorer", estimates, {"abs": 6e-8}),
     ("CayleyMapExplorer", cayley, {"abs": 1e-3, "rel": 1e-3}),
     ("AlgorithmLaboratoryExplorer", worst_errors, {"rel": 0.01}),
     ("CalibrationRunExplorer", estimate, {"abs": 1e-9}),

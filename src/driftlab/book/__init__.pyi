@@ -7,6 +7,7 @@ from .ch03_systematic_drift.panels import DriftExplorer as DriftExplorer
 from .ch03_systematic_drift.scenes import TurningBlock as TurningBlock
 from .ch04_calibration_by_turns.panels import TurnCalibrationExplorer as TurnCalibrationExplorer
 from .ch04_calibration_by_turns.scenes import FourMountings as FourMountings
+from .ch05_rate_table_on_earth.panels import EarthTurnsExplorer as EarthTurnsExplorer
 from .ch06_attitude_in_three_numbers.panels import CayleyMapExplorer as CayleyMapExplorer
 from .ch06_attitude_in_three_numbers.scenes import LampAndShadow as LampAndShadow
 from .ch07_coning.panels import (

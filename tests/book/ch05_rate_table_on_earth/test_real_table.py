@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from scipy.constants import arcsecond, degree, hour
 
-from driftlab.book import TurnCalibrationExplorer
 from driftlab.book.ch05_rate_table_on_earth.experiments import (
     WAYS,
     RealTable,
@@ -148,16 +147,3 @@ def test_figure_says_what_each_way_leaves(figure: PublishedFigure) -> None:
     assert f"below {LOWEST:g} arc seconds" in figure.caption
     # "In one sense the Earth covers everything else."
     assert effects[0, 0] > 8 * effects[0, 1:].max()
-
-
-def test_presets_show_the_trap_and_its_cures() -> None:
-    panel = TurnCalibrationExplorer()
-    errors = {}
-    for name in panel.presets:
-        panel.preset.value = name
-        data = panel.compute(panel.values)
-        errors[name] = np.abs(data.runs - data.true).max() / arcsecond
-    assert errors["On the Earth, a perfect triad"] == pytest.approx(52.46, abs=0.01)
-    assert errors["On the Earth, Larin's triad"] > 50
-    assert errors["On the Earth, both senses"] < 0.2
-    assert errors["On the Earth, common offset"] < 0.2

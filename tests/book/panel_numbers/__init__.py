@@ -11,7 +11,22 @@ from collections.abc import Callable
 
 from driftlab.book.machinery.panel.panel import Explorer
 
-from . import ch01, ch02, ch03, ch04, ch06, ch07, ch10, ch11, ch13, ch14, ch15, ch16, ch17
+from . import (
+    ch01,
+    ch02,
+    ch03,
+    ch04,
+    ch05,
+    ch06,
+    ch07,
+    ch10,
+    ch11,
+    ch13,
+    ch14,
+    ch15,
+    ch16,
+    ch17,
+)
 from .values import Rows, Values
 
 NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
@@ -83,6 +98,7 @@ BY_PANEL: dict[str, Callable[[Values], Rows]] = {
     "RootsExplorer": ch02.roots,
     "DriftExplorer": ch03.drift,
     "TurnCalibrationExplorer": ch04.turn_calibration,
+    "EarthTurnsExplorer": ch05.turns_on_earth,
     "CayleyMapExplorer": ch06.cayley_map,
     "AlgorithmLaboratoryExplorer": ch07.algorithm_laboratory,
     "SplitExplorer": ch10.split_triad,

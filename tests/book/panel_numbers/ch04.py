@@ -70,7 +70,14 @@ def nine(triad, axes, true, turns, deviations, rng):
         yield (matrix[first] + sign * matrix[second]) / 2, np.sqrt(square) / 2
 
 
+PERFECT_TABLE = {
+    "axis": 0.0, "earth": "none", "latitude": 37.5, "rate": 10.0, "senses": "one", "bias": 0.0
+}  # fmt: skip
+"""What the panel of chapter 04 has no control for."""
+
+
 def turn_calibration(values: Values) -> Rows:
+    values = {**PERFECT_TABLE, **values}
     s1, s2, s3, skew, scale = 1e-3 * listed(values, "sigma1 sigma2 sigma3 skew scale")
     triad = np.array(
         [[scale, s1, s2 - skew], [s1, scale, s3 + skew], [s2 + skew, s3 - skew, scale]]

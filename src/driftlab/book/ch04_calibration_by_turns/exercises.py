@@ -98,7 +98,7 @@ EXERCISES: dict[str, Exercise] = {
             "steps",
             "Go back to the preset, with the formula `pade`, and change the steps alone.",
             **{f"sigma{i}": value for i, value in enumerate((0.0, 1.0, -1.0), 1)},
-            **{"formula": "pade", "noise": 0.0, "scale": 0.0, "earth": "none"},
+            **{"formula": "pade", "noise": 0.0, "scale": 0.0},
         ),
         mistakes={
             "At a hundred steps the integrator still has a share in the error. The formula `exact` "

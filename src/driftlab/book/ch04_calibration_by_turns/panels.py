@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import ClassVar
 
 import numpy as np
@@ -16,13 +17,25 @@ from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment
 from driftlab.motion.turntable_rotation import TurntableRotation
 
-from .experiments import PLANS, SENSES, error_matrix, turn_estimates
+from .experiments import PLANS, error_matrix, turn_estimates
 from .figures.turn_estimates import TurnEstimatesPicture
 
 ARC_SECOND = float(np.radians(1 / 3600))
 DEGREE_PER_HOUR = float(np.radians(1 / 3600))
-PERFECT = {"sigma2": 0.0, "sigma3": 0.0}
-ON_EARTH = {"formula": "exact", "earth": "turning"}
+TRIAD_CONTROLS = (
+    Control("sigma1", "σ₁ (x, y), mrad", 0.0, -2.5, 2.5, 0.1, group="true triad"),
+    Control("sigma2", "σ₂ (x, z), mrad", 1.0, -2.5, 2.5, 0.1, group="true triad"),
+    Control("sigma3", "σ₃ (y, z), mrad", -1.0, -2.5, 2.5, 0.1, group="true triad"),
+    Control("skew", "skew part, mrad", 0.0, -2.5, 2.5, 0.1, group="true triad"),
+    Control("scale", "scale of all, 10⁻³", 0.0, -0.5, 0.5, 0.01, group="true triad"),
+)
+TURN_CONTROLS = (
+    Control(
+        "plan", "turns and weighing", next(iter(PLANS)), choices=tuple(PLANS), group="experiment"
+    ),
+    Control("turns", "turns k", 1, 1, 5, 1, group="experiment"),
+)
+NOISE_CONTROL = Control("noise", "noise of a turn, ″", 0.0, 0.0, 20.0, 0.5, group="experiment")
 
 
 class TurnCalibrationExplorer(Explorer):
@@ -30,43 +43,23 @@ class TurnCalibrationExplorer(Explorer):
 
     title = "Calibration by turns: estimated against true non-orthogonality"
     picture_class = TurnEstimatesPicture
-    controls = (
-        Control("sigma1", "σ₁ (x, y), mrad", 0.0, -2.5, 2.5, 0.1, group="true triad"),
-        Control("sigma2", "σ₂ (x, z), mrad", 1.0, -2.5, 2.5, 0.1, group="true triad"),
-        Control("sigma3", "σ₃ (y, z), mrad", -1.0, -2.5, 2.5, 0.1, group="true triad"),
-        Control("skew", "skew part, mrad", 0.0, -2.5, 2.5, 0.1, group="true triad"),
-        Control("scale", "scale of all, 10⁻³", 0.0, -0.5, 0.5, 0.01, group="true triad"),
-        Control(
-            "plan", "turns and weighing", next(iter(PLANS)), choices=tuple(PLANS),
-            group="experiment",
-        ),
-        Control("turns", "turns k", 1, 1, 5, 1, group="experiment"),
+    controls: ClassVar[Sequence[Control]] = (
+        *TRIAD_CONTROLS,
+        *TURN_CONTROLS,
         Control("steps", "steps in a turn", 100, 8, 200, 1, group="experiment"),
         Control(
             "formula", "step formula", "taylor-4", choices=tuple(STEP_FORMULAS), group="experiment"
         ),
-        Control("noise", "noise of a turn, ″", 0.0, 0.0, 20.0, 0.5, group="experiment"),
-        Control("axis", "error of an axis, ″", 0.0, 0.0, 120.0, 5.0, group="experiment"),
-        Control("earth", "Earth", "none", choices=("none", "turning"), group="table"),
-        Control("latitude", "latitude, °", 37.5, -85.0, 85.0, 0.5, group="table"),
-        Control("rate", "table rate, °/s", 10.0, 5.0, 100.0, 1.0, group="table"),
-        Control("senses", "senses", "one", choices=tuple(SENSES), group="table"),
-        Control("bias", "gyro bias, °/h", 0.0, -1.0, 1.0, 0.05, group="table"),
-    )  # fmt: skip
+        NOISE_CONTROL,
+    )
+    fixed: ClassVar[Values] = {
+        "axis": 0.0, "earth": "none", "latitude": 37.5, "rate": 10.0, "senses": "one", "bias": 0.0,
+    }  # fmt: skip
+    """What this panel has no control for, and that of chapter 05 has."""
     presets: ClassVar = {
         "Larin's triad, axes as in (2.4)": {"skew": 1.0, "formula": "pade"},
-        "On the Earth, a perfect triad": {**PERFECT, **ON_EARTH},
-        "On the Earth, Larin's triad": {"skew": 1.0, **ON_EARTH},
-        "On the Earth, both senses": {"skew": 1.0, **ON_EARTH, "senses": "both"},
-        "On the Earth, common offset": {
-            "skew": 1.0, **ON_EARTH, "plan": "four axes, least squares and common scale"
-        },
         "Noisy gyros": {"noise": 5.0},
         "Coarse steps": {"steps": 12, "formula": "taylor-2"},
-        "Axes known to 60″": {
-            "skew": 1.0, "noise": 5.0, "axis": 60.0,
-            "plan": "six axes, least squares and three scales",
-        },
         "Scale error, three axes": {"scale": 0.2},
         "Scale error, solved for": {
             "scale": 0.2, "plan": "four axes, least squares and common scale"
@@ -74,13 +67,8 @@ class TurnCalibrationExplorer(Explorer):
     }  # fmt: skip
     look_for: ClassVar = {
         "Larin's triad, axes as in (2.4)": "Change the step formula. Which can you tell apart?",
-        "On the Earth, a perfect triad": "Nothing is bent, and something is found. What is it?",
-        "On the Earth, Larin's triad": "How much of what is found belongs to the triad?",
-        "On the Earth, both senses": "Turned forth and back. What has become of the Earth?",
-        "On the Earth, common offset": "Another cure. Add a gyro bias: does it still work?",
         "Noisy gyros": "Twelve calibrations of one triad. How far apart do they lie?",
         "Coarse steps": "Twelve steps in a turn. Is the error still a matter of the gyros?",
-        "Axes known to 60″": "Which of the nine pay for it? Then turn about three axes only.",
         "Scale error, three axes": "The gyros are a little too sensitive. What gets the blame?",
         "Scale error, solved for": "The same gyros, another plan. What has it done with the scale?",
     }
@@ -103,6 +91,7 @@ class TurnCalibrationExplorer(Explorer):
         return TurntableRotation(float(np.radians(values["rate"])), values["turns"], latitude)
 
     def compute(self, values: Values) -> DataTable:
+        values = {**self.fixed, **values}
         return turn_estimates(
             self._triad_error(values), values["plan"], self._experiment(values),
             table=self._table(values), senses=values["senses"],
@@ -137,6 +126,7 @@ class TurnCalibrationExplorer(Explorer):
         )  # fmt: skip
 
     def call(self, values: Values) -> str:
+        values = {**self.fixed, **values}
         experiment, table = self._experiment(values), self._table(values)
         given = ["error_matrix", repr(values["plan"]), "experiment", "table=table"]
         if values["bias"]:
