@@ -1,8 +1,10 @@
-"""A half turn about the tilt axis turns a cone's time round: no error of odd order is a drift.
+"""A half turn about the tilt axis turns a cone's time round: the drift has even orders only.
 
 The step must turn with the increments and be a power series in them. A length to an odd power is
 none, and drifts with an odd order.
 """
+
+from functools import partial
 
 import numpy as np
 import pytest
@@ -183,3 +185,24 @@ def test_no_algorithm_drifts_with_an_odd_order(name):
             return abs(coning_drift(algorithm, half_angle, x / (2 * np.pi), 1.0)) / x
 
         assert slope(drift, 0.02) == pytest.approx(even, abs=0.03)
+
+
+def test_an_error_of_odd_order_drifts_through_its_square() -> None:
+    """Two turns make one by too much, e^2/2X, where e is of the fourth power of the step."""
+
+    def with_error(size: float, g: np.ndarray) -> np.ndarray:
+        first, second = g[0::2], g[1::2]
+        square = (first**2).sum(axis=-1, keepdims=True)
+        return first + second + 2 / 3 * np.cross(first, second) + size * square * (second - first)
+
+    half_angle, around = np.radians(60.0), np.array([24, 48, 96])
+    drift, without = (
+        np.array([coning_drift(partial(with_error, size), half_angle, 1.0, 1 / n) for n in around])
+        for size in (3.0, 0.0)
+    )
+    assert abs(drift[0]) > 5 * abs(without[0])
+    np.testing.assert_allclose(np.log2((drift - without)[:-1] / (drift - without)[1:]), 6, atol=0.1)
+    x = 2 * np.pi / around
+    # The first increment is 2 sin(a/2) x long; the difference of the two, x^2 sin(a), is the tilt's.
+    error = 3 * (2 * np.sin(half_angle / 2) * x) ** 2 * np.sin(half_angle) * x**2
+    np.testing.assert_allclose(drift - without, error**2 / (2 * (2 * x)) * around / 2, rtol=0.2)

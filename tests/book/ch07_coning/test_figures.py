@@ -1,9 +1,11 @@
 """The figures of chapter 07: the orders of algorithms, coning, short words."""
 
+from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
 import pytest
+from mpmath import mp
 from scipy.constants import degree, hour
 from scipy.special import factorial, factorial2
 from scipy.stats import chi2, gmean
@@ -237,20 +239,55 @@ def test_one_product_tells_which_last_stage_errs_less_on_a_random_motion(
         np.testing.assert_array_equal(less, decides < 0 if factor == 1 else decides > 0)
 
 
+def drift_in_a_sample(algorithm: Algorithm, half_angle: mp.mpf, x: mp.mpf) -> mp.mpf:
+    """Of a step on a cone that goes round by x between two samples, in many digits."""
+    phases = [i * x for i in range(algorithm.samples + 1)]
+    sine, back = mp.sin(half_angle), mp.cos(half_angle) - 1
+    increments = [
+        (sine * (mp.cos(q) - mp.cos(p)), sine * (mp.sin(q) - mp.sin(p)), back * x)
+        for p, q in pairwise(phases)
+    ]
+    f = [mp.fsum(component) for component in zip(*increments, strict=True)]
+    for (i, j), weight in algorithm.coning.items():
+        exact = Fraction(weight).limit_denominator(10_000)
+        (a, b, c), (u, v, w) = increments[i], increments[j]
+        cross = (b * w - c * v, c * u - a * w, a * v - b * u)
+        parts = exact.numerator, exact.denominator
+        f = [one + other * parts[0] / parts[1] for one, other in zip(f, cross, strict=True)]
+    size, turn = mp.sqrt(mp.fsum(one**2 for one in f)), algorithm.samples * x
+    along = mp.sin(size / 2) * f[2] / size
+    scalar = mp.cos(size / 2) * mp.cos(turn / 2) - along * mp.sin(turn / 2)
+    return (2 * mp.acos(scalar) - turn) / algorithm.samples
+
+
 @pytest.mark.parametrize("degrees", [1, 5, 20, 60])
 def test_first_terms_of_the_drift_of_three_and_of_four_samples(degrees: int) -> None:
     """From the series of a step in x, with u = 1 - cos a; the next term is the ninth power."""
-    u, x = 2 * np.sin(np.radians(degrees) / 2) ** 2, np.array([0.1, 0.15, 0.2])
-    seventh = {
-        "rotation-vector-3": (u / 80, 1 / 280 + (6059 * u - 2070 * u**2) / 13440),
-        "four, spread": (u / 70, (9377 * u - 3144 * u**2) / 3780),
-    }
-    for name, (first, second) in seventh.items():
-        around = x / (2 * np.pi)
-        drift = around * coning_drift(COMPARED[name], np.radians(degrees), 1.0, around)
-        rest = drift - u * (2 - u) * (first * x**5 - second * x**7)
-        # The ninth power has 15622 u / 3175 with four samples, and 1/1260. Rounding: one eps.
-        assert np.all(np.abs(rest) < u * (2 - u) * 6 * (u + 0.001) * x**9 + EPS)
+    with mp.workdps(50):
+        u = 1 - mp.cos(mp.radians(degrees))
+        seventh = {
+            "rotation-vector-3": (u / 80, (48 + 5996 * u - 2070 * u**2) / 13440, 0.6),
+            "four, spread": (u / 70, (9341 * u - 3144 * u**2) / 3780, 3.3),
+        }
+        for name, (first, second, ninth) in seventh.items():
+            for x in mp.mpf("0.02"), mp.mpf("0.05"):
+                drift = drift_in_a_sample(COMPARED[name], mp.radians(degrees), x)
+                rest = drift / (u * (2 - u)) - first * x**5 + second * x**7
+                # The ninth power has at most 0.6 u or 3.3 u, and 1/1260 on a narrow cone.
+                assert abs(rest) < (ninth * u + 0.001) * x**9, name
+                around = float(x / (2 * mp.pi))
+                by_one_step = around * coning_drift(COMPARED[name], np.radians(degrees), 1, around)
+                assert by_one_step == pytest.approx(float(drift), rel=1e-9, abs=EPS)
+
+
+@pytest.mark.parametrize("around", [8, 10, 15, 20, 30])
+def test_four_samples_beat_three_on_narrow_cones_only(around: int) -> None:
+    half_angles = np.radians([0.1, 1, 2, 3, *np.arange(10.0, 180.0)])
+    three, four = (
+        np.abs(coning_drift(COMPARED[name], half_angles, 1.0, 1 / around))
+        for name in ("rotation-vector-3", "four, spread")
+    )
+    np.testing.assert_array_equal(four < three, half_angles < np.radians(4))
 
 
 def test_costs_are_those_of_the_text() -> None:
