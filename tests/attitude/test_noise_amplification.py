@@ -11,7 +11,7 @@ from driftlab.attitude.noise_amplification import (
     noise_growth,
     step_noise_covariance,
 )
-from driftlab.book.ch07_coning.experiments import COMPARED
+from driftlab.book.ch08_attitude_from_an_imu.experiments import COMPARED
 from driftlab.quaternion import conjugate, multiply, to_rotation_vector
 
 ANGLE = 0.3  # rad a sample

@@ -26,7 +26,7 @@ from driftlab.book.ch07_coning.experiments import (
     drift_by_frequency_and_rate,
 )
 from driftlab.book.ch07_coning.experiments.algorithms import named_algorithms
-from driftlab.book.ch07_coning.experiments.noise_and_band import rounding_error
+from driftlab.book.ch08_attitude_from_an_imu.experiments.noise_and_band import rounding_error
 from driftlab.book.ch16_one_triad.experiments import calibration_stages
 from driftlab.drift import recorded_turn_estimate
 from driftlab.motion import Coning, Sway, TurntableRotation

@@ -7,7 +7,7 @@ from scipy.linalg import expm
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm
 from driftlab.attitude.sculling import sculling_correction, step_velocities
-from driftlab.book.ch07_coning.experiments import COMPARED, SHAKER, sculling_error
+from driftlab.book.ch08_attitude_from_an_imu.experiments import COMPARED, SHAKER, sculling_error
 
 WITHOUT_MEMORY = [name for name, algorithm in COMPARED.items() if not algorithm.memory]
 

@@ -6,7 +6,7 @@ import pytest
 from driftlab.attitude.coning_algorithms import Algorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.spherical_area import solid_angle
-from driftlab.book.ch07_coning.experiments import closed_cone, swept_in_a_sample
+from driftlab.book.ch18_deep_end.experiments import closed_cone, swept_in_a_sample
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import rotate
 from support import EPS, random_quaternions

@@ -12,7 +12,8 @@ import pytest
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.integration import integrate
-from driftlab.book.ch07_coning.experiments import COMPARED, SHIP, random_algorithm
+from driftlab.book.ch07_coning.experiments import SHIP, random_algorithm
+from driftlab.book.ch08_attitude_from_an_imu.experiments import COMPARED
 from driftlab.core.attitude import step_quaternions
 from driftlab.core.coning import cone_increments, step_drift
 from driftlab.motion.profiles import Coning
@@ -203,6 +204,6 @@ def test_an_error_of_odd_order_drifts_through_its_square() -> None:
     assert abs(drift[0]) > 5 * abs(without[0])
     np.testing.assert_allclose(np.log2((drift - without)[:-1] / (drift - without)[1:]), 6, atol=0.1)
     x = 2 * np.pi / around
-    # The first increment is 2 sin(a/2) x long; the difference of the two, x^2 sin(a), is the tilt's.
+    # The first increment is 2 sin(a/2) x long; the two differ by x^2 sin(a), along the tilt axis.
     error = 3 * (2 * np.sin(half_angle / 2) * x) ** 2 * np.sin(half_angle) * x**2
     np.testing.assert_allclose(drift - without, error**2 / (2 * (2 * x)) * around / 2, rtol=0.2)

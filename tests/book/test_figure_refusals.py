@@ -50,7 +50,7 @@ REFUSED = [
     ("07-coning-drift", {"algorithms": STRANGE}, "what <lambda> returned"),
     ("07-algorithm-orders", {"motions": {"walk": 3}}, "^motions: expected a Motion, .* got 3"),
     ("07-algorithm-orders", {"motions": Sway(0.1, 0.5)}, "^motions: expected a mapping from names"),
-    ("07-short-word", {"motions": ["walk"]}, "^motions: expected some of cone of 1°.* got 'walk'"),
+    ("18-short-word", {"motions": ["walk"]}, "^motions: expected some of cone of 1°.* got 'walk'"),
     ("07-coning-area", {"half_angle": 2}, "^half_angle: expected an angle from 0 to pi/2, got 2"),
     ("07-coning-area", {"samples": 5}, "^samples: expected an even number, got 5"),
     ("10-split-triad", {"gyro_error_matrix": np.eye(2)}, "^gyro_error_matrix: "),

@@ -59,18 +59,12 @@ WRONG = {
         ("be", "^not yet. More than one statement"),
     ],
     "7.5": [
-        ([27 / 40, 9 / 20, 27 / 40], "Miller"),
-        ([57 / 80, 57 / 80, 33 / 80], "first increment and the last"),
-        ([57 / 40, 33 / 40, 57 / 40], "one common factor"),
-        ([-57 / 320, -33 / 320, -57 / 320], "belong to k"),
-    ],
-    "7.6": [
         (sp.Rational(1, 12), "limit for a cone"),
         ((x - sp.sin(x)) / (2 * x**2 * sp.sin(x)), "arc for the chord"),
         ((x - sp.sin(x)) / (4 * sp.sin(x / 2) ** 2 * sp.sin(x)), "a constant factor is not"),
         (-(x - sp.sin(x)) / (8 * sp.sin(x / 2) ** 2 * sp.sin(x)), "sign is reversed"),
     ],
-    "7.7": [
+    "7.6": [
         (np.roll(RIGHT_STEP, 1), "scalar stands first"),
         (RIGHT_STEP * [-1, -1, -1, 1], "k points against the axis"),
         (step(2 / 3 * np.cross(G2, G1)), "factors exchanged"),
@@ -81,28 +75,5 @@ WRONG = {
             multiply(from_rotation_vector(G2), from_rotation_vector(G1)),
             "the first of the two has to be on the left",
         ),
-    ],
-    "7.8": [
-        ("acdf", r"\(a\) trusts a table"),
-        ("bcdf", r"\(b\) trusts a spline"),
-        ("cdef", r"\(e\) is false"),
-        ("cf", "something else is too"),
-        ("ae", "^not yet. More than one statement"),
-    ],
-    "7.9": [
-        (16, "fourth order of the pair"),
-        (32, "with an odd number"),
-        (128, "power of a single window"),
-        (256, "window of six"),
-        (1 / 61.7, "the old one over the new"),
-        (50, "not yet"),
-    ],
-    "7.10": [
-        (0, "another one at each moment"),
-        (-90, "on its left"),
-        (270, "do not add up"),
-        (-270, "whole turn makes no difference"),
-        (-np.pi / 2, "in radians, and of the opposite sign"),
-        (180, "angle and its half"),
     ],
 }

@@ -3,14 +3,11 @@
 from functools import cache
 
 import numpy as np
-from scipy.constants import degree
 
 from driftlab.attitude.cayley import rotation_quaternion
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm, LastStage
 from driftlab.attitude.drift_on_cones import coning_drift
-from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import step_quaternions, step_rotation_vectors
-from driftlab.attitude.spherical_area import solid_angle
 from driftlab.book.machinery.exercise.answers import Choice, Value
 from driftlab.book.machinery.exercise.exercise import Exercise
 from driftlab.book.machinery.exercise.formulas import Formula
@@ -24,8 +21,6 @@ from .experiments import (
     BRACKET_SAMPLE_RATE,
     SAMPLE_RATES,
     SHIP,
-    WIDE_BRACKET,
-    WIDE_BRACKET_RATE,
     algorithm_errors,
 )
 
@@ -54,31 +49,6 @@ def _extrapolated(order: float) -> float:
     return float(SAMPLE_RATES[-1] * _on_the_ship()[0, -1] ** (1 / order))
 
 
-def _weights(*, at_middle: bool = False) -> FloatArray:
-    """Weights of γ1×γ2, γ1×γ3 and γ2×γ3 that give the coning correction of a quadratic rate.
-
-    With ``at_middle`` the rate in the middle of each third stands for its mean.
-    """
-    ends, powers = np.arange(4) / 3, np.arange(3)
-    pieces = np.diff(ends[:, np.newaxis] ** (powers + 1), axis=0) / (powers + 1)
-    if at_middle:
-        pieces = (np.arange(3) + 0.5)[:, np.newaxis] ** powers / 3.0 ** (powers + 1)
-    # One equation for each cross product of two coefficients of the rate, one unknown for each
-    # of two increments.
-    pairs = [(0, 1), (0, 2), (1, 2)]
-    matrix = [
-        [pieces[i, p] * pieces[j, q] - pieces[i, q] * pieces[j, p] for i, j in pairs]
-        for p, q in pairs
-    ]
-    true = [(1 / (p + 1) - 1 / (q + 1)) / (p + q + 2) / 2 for p, q in pairs]
-    return np.linalg.solve(matrix, true)
-
-
-def _miller() -> list[float]:
-    weights = CONING_ALGORITHMS["rotation-vector-3"].coning
-    return [weights[pair] for pair in ((0, 1), (0, 2), (1, 2))]
-
-
 def _step(
     gamma_1: FloatArray,
     gamma_2: FloatArray,
@@ -99,14 +69,6 @@ def _some_halves(rng: np.random.Generator) -> dict[str, FloatArray]:
         first, second = np.round(rng.uniform(-0.5, 0.5, (2, 3)), 2)
         if np.linalg.norm(np.cross(first, second)) > 0.1 and first @ second > 0:
             return {"gamma_1": first, "gamma_2": second}
-
-
-def _gain_of_sampling() -> float:
-    """Factor by which a window of four gains, on the wide bracket, if it is read twice as often."""
-    cone, four = WIDE_BRACKET, FunctionalIteration("four", 4)
-    intervals = [1 / WIDE_BRACKET_RATE, 0.5 / WIDE_BRACKET_RATE]
-    slow, fast = coning_drift(four, cone.half_angle, cone.frequency, intervals)
-    return float(slow / fast)
 
 
 EXERCISES: dict[str, Exercise] = {
@@ -175,26 +137,7 @@ EXERCISES: dict[str, Exercise] = {
         },
         remark="An order is a promise for all smooth motions; a single motion may be kinder.",
     ),
-    "7.5": Value(
-        kind="compute",
-        right=_weights,
-        mistakes={
-            "Those are Miller's. They are made for a narrow cone, not for a quadratic rate.": (
-                _miller
-            ),
-            "The second of the three belongs to the first increment and the last.": (
-                lambda: _weights()[[0, 2, 1]]
-            ),
-            "You took the rate in the middle of a third for its mean; increments are integrals.": (
-                lambda: _weights(at_middle=True)
-            ),
-            "Those belong to k. Give the correction that is added to the increment.": (
-                lambda: -_weights() / 4
-            ),
-        },
-        remark="They are exact for a quadratic rate, and on a cone worse than Miller's.",
-    ),
-    "7.6": Formula(
+    "7.5": Formula(
         kind="compute",
         arguments=("x",),
         draw=lambda rng: (float(rng.uniform(0.3, 2.5)),),
@@ -212,7 +155,7 @@ EXERCISES: dict[str, Exercise] = {
         },
         remark="Such a weight is right at one frequency; on a much slower cone 1/12 does better.",
     ),
-    "7.7": Value(
+    "7.6": Value(
         kind="compute",
         given=GivenNumbers(
             book={
@@ -263,55 +206,5 @@ EXERCISES: dict[str, Exercise] = {
             ),
         },
         remark="No sine and no root, and its length is one.",
-    ),
-    "7.8": Choice(
-        kind="explain",
-        right="cdf",
-        wrong={
-            "a": "trusts a table of algorithms that are fed with true integrals. These increments "
-            "are guessed, and what is lost in them no weight brings back.",
-            "b": "trusts a spline with two and a half samples a round. Try it: most of the drift "
-            "stays.",
-            "e": "is false: true integrals help, but at two and a half samples a round the cross "
-            "products of neighbours tell little of the area between the samples.",
-        },
-        remark="The choice among the seven comes last; first the increments must be true and many.",
-    ),
-    "7.9": Value(
-        kind="predict",
-        right=_gain_of_sampling,
-        accuracy=0.05,
-        mistakes={
-            "That is the fourth order of the pair, `two-step-4`. Four increments carry a cubic, "
-            "and a higher order.": lambda: 2**4,
-            "That would be so with an odd number. In an even window the error of the polynomial "
-            "is odd about the middle, and that gains a power.": lambda: 2**5,
-            "That would be so with a window of six. Four increments carry a cubic.": lambda: 2**8,
-            "That is the power of a single window. There are twice as many windows.": (
-                lambda: 2**7
-            ),
-            "The drift has to shrink: give the old one over the new one.": (
-                lambda: 1 / _gain_of_sampling()
-            ),
-        },
-        remark="Nearly two to the sixth, the order of a window of four.",
-    ),
-    "7.10": Value(
-        kind="predict",
-        right=lambda: float(solid_angle(np.eye(3))) / degree,
-        unit="degrees",
-        mistakes={
-            "The gyro says so, and is right about its rate. But the axis about which it felt "
-            "nothing was another one at each moment.": lambda: 0,
-            "The way has the eighth of the sphere on its left: look from outside, or go the way "
-            "with a pencil.": lambda: -float(solid_angle(np.eye(3))) / degree,
-            "Three right angles about three different axes do not add up; and none of them is "
-            "about the rod.": lambda: 270,
-            "Turned like that the rod would look the same. A whole turn makes no difference: count "
-            "the short way round.": lambda: float(solid_angle(np.eye(3))) / degree - 360,
-            "That is in radians, and of the opposite sign: the eighth of the sphere lies on the "
-            "left of the way.": lambda: -float(solid_angle(np.eye(3))),
-        },
-        remark="The solid angle of an octant. Geometers call it a holonomy.",
     ),
 }

@@ -1,7 +1,5 @@
 """The published figures of chapter 07, with their captions."""
 
-import numpy as np
-
 from driftlab.attitude.drift_on_cones import SIMULATED_STEPS
 from driftlab.book.machinery.figure.publish import FigureDefinition
 
@@ -10,10 +8,7 @@ from . import (
     algorithm_orders,
     coning_area,
     coning_drift,
-    functional_iteration,
     last_stages,
-    noise_and_band,
-    short_word,
 )
 
 FIGURES = (
@@ -64,54 +59,5 @@ FIGURES = (
             "vibration makes the error (white), all stages err alike. The stages are "
             "reconstructed: the paper's own comparison is not in our text of it."
         ),
-    ),
-    FigureDefinition(
-        "07-noise-and-band",
-        experiments.noise_and_band,
-        noise_and_band.draw,
-        lambda table: (
-            "First the part of a narrow cone's coning that an algorithm misses. Thin lines are the "
-            "first terms of the series, too large where samples are few. Then the drift on a cone "
-            f"of {table.words('half_angle', 'g')} at {table.words('frequency', 'g')} in "
-            f"{table.words('seconds', 'g')}, and the floors under it: gyros that round to "
-            f"{table.shown('quantum'):g} arc second, and white noise of "
-            f"{table.words('angle_random_walk', 'g')}. As published, for the "
-            "bracket, a remainder that is lost spoils what the corrections gain; one that is "
-            "carried costs about as much as the noise."
-        ),
-    ),
-    FigureDefinition(
-        "07-functional-iteration",
-        experiments.window_errors,
-        functional_iteration.draw,
-        lambda table: (
-            "Functional iteration with windows of several widths, beside algorithms with cross "
-            f"products, on a cone of {table.words('half_angle', 'g')} at "
-            f"{table.words('frequency', 'g')}. First the drift, by samples a round: where a "
-            "window's points are missing, its iterations do not settle and the package refuses. "
-            f"Then the error after {table.words('seconds', 'g')} at {table.words('rate', 'g')}, "
-            f"root mean square of {table.runs} runs, if every increment has noise. As published, "
-            f"for windows of {experiments.WINDOWS[0]} to {experiments.WINDOWS[-1]} increments on a "
-            "cone of "
-            f"{np.degrees(experiments.WIDE_BRACKET.half_angle):g}°: with many samples a round the "
-            "wider window errs less, below some five it does not; the widest is down to rounding, "
-            "magnified; noise hides what the wider windows gain, and the widest magnifies it. "
-            "`two-step-4` is reconstructed."
-        ),
-    ),
-    FigureDefinition(
-        "07-short-word",
-        experiments.short_word_errors,
-        short_word.draw,
-        lambda table: (
-            "Arithmetic in 32 bits: error of the attitude after "
-            f"{table.steps} steps, its length divided out, by the angle of a step. "
-            "Where each product is rounded, 1 - λ0 errs several times less than the two updates "
-            "with λ0 as soon as λ0 differs from 1 in the word, right of the dotted line. A "
-            f"compensated sum errs least. Root mean square of {table.starts} attitudes. Steps up "
-            "to 0.01 rad, of the reconstructed algorithm; the update with 1 - λ0 is our reading of "
-            "the paper's advice."
-        ),
-        kept=True,
     ),
 )

@@ -12,6 +12,7 @@ from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import integrate
 from driftlab.attitude.noise_amplification import NoiseGrowth
+from driftlab.book.ch07_coning.experiments.algorithms import Algorithms, named_algorithms
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.core.functional_iteration import tables
@@ -26,8 +27,6 @@ from driftlab.quaternion import (
     to_rotation_vector,
 )
 from driftlab.sampled_rates import increments_from_rates
-
-from .algorithms import Algorithms, named_algorithms
 
 WIDE_BRACKET = Coning(float(np.radians(10.0)), 5.0)
 """The bracket of the puzzle, tilted ten times as far."""

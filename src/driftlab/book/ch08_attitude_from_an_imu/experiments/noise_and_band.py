@@ -7,12 +7,12 @@ from scipy.special import factorial, factorial2
 from driftlab.attitude.coning_algorithms import Algorithm, AnyAlgorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.integration import integrate
+from driftlab.book.ch07_coning.experiments import BRACKET
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import conjugate, multiply, to_rotation_vector
 
-from .coning import BRACKET
 from .four_samples import COMPARED
 from .rounding import rounded
 

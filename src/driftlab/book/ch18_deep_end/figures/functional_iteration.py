@@ -6,11 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from driftlab.book.ch07_coning.figures.algorithm_laboratory import styles
 from driftlab.book.machinery.figure.drawing import Drawing, from_table
 from driftlab.book.machinery.figure.picture import GREY, SERIES, decades, legend_below_all
 from driftlab.book.machinery.figure.sheet import Sheet
-
-from .algorithm_laboratory import styles
 
 WIDTHS = tuple(
     {**SERIES[i], "marker": marker, "markersize": 4.5}

@@ -10,14 +10,12 @@ from scipy.constants import day
 
 from driftlab.attitude.finite_precision import UPDATES, Update, integrate_finite_word
 from driftlab.attitude.integration import integrate
+from driftlab.book.ch07_coning.experiments import BRACKET, SHIP
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.checks import FloatArray, whole_number
 from driftlab.core.coning import cone_increments
 from driftlab.motion.profiles import Motion
 from driftlab.quaternion import conjugate, multiply, rotation_angle
-
-from .algorithms import SHIP
-from .coning import BRACKET
 
 EARTH_RATE = 2 * np.pi / (day * 365.2422 / 366.2422)
 """Rate of the Earth against the stars, rad/s: one turn more in a year than there are days."""

@@ -6,10 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from driftlab.book.ch07_coning.figures.algorithm_laboratory import STYLES
 from driftlab.book.machinery.figure.drawing import Drawing, from_table
 from driftlab.book.machinery.figure.picture import BLACK, GREY, GUIDE, ORANGE, legend_below_all
-
-from .algorithm_laboratory import STYLES
 
 LABELS = {
     "picard-1": "picard-1",

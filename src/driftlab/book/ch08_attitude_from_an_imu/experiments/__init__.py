@@ -1,0 +1,20 @@
+"""Experiments of chapter 08: bandwidth, noise and rounding, sculling."""
+
+from .four_samples import (
+    COMPARED as COMPARED,
+    FOUR_SAMPLES as FOUR_SAMPLES,
+    weights_by_distance as weights_by_distance,
+    weights_of_polynomial as weights_of_polynomial,
+)
+from .noise_and_band import (
+    ANGLE_RANDOM_WALK as ANGLE_RANDOM_WALK,
+    FLOOR_RATES as FLOOR_RATES,
+    FLOOR_SECONDS as FLOOR_SECONDS,
+    QUANTUM as QUANTUM,
+    SAMPLES_A_ROUND as SAMPLES_A_ROUND,
+    carried_floor as carried_floor,
+    missed_part as missed_part,
+    noise_and_band as noise_and_band,
+)
+from .rounding import rounded as rounded
+from .sculling import SHAKER as SHAKER, sculling_error as sculling_error
