@@ -28,3 +28,4 @@ from .symmetry import (
     order_on_ship as order_on_ship,
     random_algorithm as random_algorithm,
 )
+from .trap import trap_on_a_cone as trap_on_a_cone

@@ -9,6 +9,7 @@ from . import (
     coning_area,
     coning_drift,
     last_stages,
+    trap_on_a_cone,
 )
 
 FIGURES = (
@@ -21,6 +22,19 @@ FIGURES = (
             "narrow cone the rotation about that axis is the area inside; sums of increments "
             f"enclose a polygon and miss the slivers ({table.samples} samples a round are drawn). "
             "On the right, a pair of samples with their triangle."
+        ),
+    ),
+    FigureDefinition(
+        "07-trap-on-a-cone",
+        experiments.trap_on_a_cone,
+        trap_on_a_cone.draw,
+        lambda table: (
+            "Error of an algorithm on a cone with a half angle of "
+            f"{table.words('half_angle', 'g')} that is sampled "
+            f"{' or '.join(table.samples)} times a round; default: two-step-3, of third order. "
+            "Its error of third order goes round in a circle, eight times smaller with twice as "
+            "many samples. Only the error about the cone's axis grows, and it is of fourth order: "
+            "sixteen times smaller."
         ),
     ),
     FigureDefinition(

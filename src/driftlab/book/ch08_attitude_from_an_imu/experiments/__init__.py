@@ -16,5 +16,17 @@ from .noise_and_band import (
     missed_part as missed_part,
     noise_and_band as noise_and_band,
 )
+from .pseudo_coning import (
+    LATE as LATE,
+    SHAKING_FREQUENCY as SHAKING_FREQUENCY,
+    SWING as SWING,
+    late_increments as late_increments,
+    pseudo_coning as pseudo_coning,
+    pseudo_drift as pseudo_drift,
+)
+from .rates import (
+    between_samples as between_samples,
+    increments_made as increments_made,
+)
 from .rounding import rounded as rounded
 from .sculling import SHAKER as SHAKER, sculling_error as sculling_error

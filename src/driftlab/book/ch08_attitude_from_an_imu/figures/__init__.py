@@ -3,9 +3,20 @@
 from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
-from . import noise_and_band
+from . import between_samples, noise_and_band, pseudo_coning
 
 FIGURES = (
+    FigureDefinition(
+        "08-between-samples",
+        experiments.between_samples,
+        between_samples.draw,
+        lambda table: (
+            "A rate that oscillates, and three guesses of it between "
+            f"{table.samples:g} samples in a period. Then the largest error of an increment made "
+            "from such samples, away from the ends of the record. A spline gains most with many "
+            "samples; with two or three in a period no guess helps."
+        ),
+    ),
     FigureDefinition(
         "08-noise-and-band",
         experiments.noise_and_band,
@@ -19,6 +30,18 @@ FIGURES = (
             f"{table.words('angle_random_walk', 'g')}. As published, for the "
             "bracket, a remainder that is lost spoils what the corrections gain; one that is "
             "carried costs about as much as the noise."
+        ),
+    ),
+    FigureDefinition(
+        "08-pseudo-coning",
+        experiments.pseudo_coning,
+        pseudo_coning.draw,
+        lambda table: (
+            f"A body shakes about one fixed axis by {table.words('swing', 'g')}, at "
+            f"{table.words('frequency', 'g')}, and one of two gyros answers late. The summed "
+            "increments go round a thin ellipse, so a computer takes the motion for a cone. The "
+            f"drift, sampled at {table.words('sample_rate', 'g')}, is the area of the ellipse; the "
+            "better algorithm sees more of it."
         ),
     ),
 )

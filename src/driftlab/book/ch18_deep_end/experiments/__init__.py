@@ -12,6 +12,7 @@ from .functional_iteration import (
     window_errors as window_errors,
     window_noise_growth as window_noise_growth,
 )
+from .rod import rod_round_the_sphere as rod_round_the_sphere
 from .word_length import (
     ARITHMETICS as ARITHMETICS,
     EARTH_RATE as EARTH_RATE,

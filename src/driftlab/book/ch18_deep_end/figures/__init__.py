@@ -5,9 +5,20 @@ import numpy as np
 from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
-from . import functional_iteration, short_word
+from . import functional_iteration, rod, short_word
 
 FIGURES = (
+    FigureDefinition(
+        "18-rod",
+        experiments.rod_round_the_sphere,
+        rod.draw,
+        lambda table: (
+            f"A rod is led from the East along the horizon, {table.words('along', 'g')} round, up "
+            "to the zenith and straight back. It never turns about itself on the way; the strokes "
+            "are a mark on it. At the end the mark (thick, as at the start) has turned by the "
+            "solid angle inside the way."
+        ),
+    ),
     FigureDefinition(
         "18-functional-iteration",
         experiments.window_errors,
