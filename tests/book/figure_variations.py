@@ -39,6 +39,8 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "07-trap-on-a-cone": {"algorithm": "two-step-4", "half_angle": 0.3, "rounds": 1},
     "07-coning-drift": {"algorithms": {"mine": plain, "picard-1": "picard-1"}, "half_angle": 0.1},
     "08-between-samples": {"samples": 3.0},
+    "08-more-samples": {"samples_a_round": (6, 10)},
+    "08-sculling": {"swing": 0.05, "periods": 2},
     "08-pseudo-coning": {"late": 1e-3, "frequency": 5.0},
     "18-functional-iteration": {"windows": (6,), "runs": 2},
     "07-last-stages": {"samples_a_round": 12},

@@ -29,22 +29,23 @@ def _stored_as_one(word: type[np.floating[Any]] = np.float64) -> float:
 
 EXERCISES: dict[str, Exercise] = {
     "18.1": Value(
-        kind="predict",
-        right=lambda: float(solid_angle(np.eye(3))) / degree,
-        unit="degrees",
+        kind="compute",
+        right=_stored_as_one,
+        unit="radians",
+        accuracy=0.02,
         mistakes={
-            "The gyro says so, and is right about its rate. But the axis about which it felt "
-            "nothing was another one at each moment.": lambda: 0,
-            "The way has the eighth of the sphere on its left: look from outside, or go the way "
-            "with a pencil.": lambda: -float(solid_angle(np.eye(3))) / degree,
-            "Three right angles about three different axes do not add up; and none of them is "
-            "about the rod.": lambda: 270,
-            "Turned like that the rod would look the same. A whole turn makes no difference: count "
-            "the short way round.": lambda: float(solid_angle(np.eye(3))) / degree - 360,
-            "That is in radians, and of the opposite sign: the eighth of the sphere lies on the "
-            "left of the way.": lambda: -float(solid_angle(np.eye(3))),
+            "That is for 32 bits. A word of 64 bits has 53 binary digits.": (
+                lambda: _stored_as_one(np.float32)
+            ),
+            "Below one, neighbouring numbers of the word lie half as far apart as above it, and "
+            "rounding goes to the nearer one.": lambda: 2 * _stored_as_one(),
+            "Rounding goes to the nearer number: half of the distance to the next one below 1 is "
+            "enough.": lambda: np.sqrt(2) * _stored_as_one(),
+            "That is the difference of 1 and λ0, not yet the angle: it goes with the square.": (
+                lambda: float(np.finfo(float).epsneg) / 2
+            ),
         },
-        remark="The solid angle of an octant. Geometers call it a holonomy.",
+        remark="A hundredth of an arc second or less: in 64 bits few steps are so small.",
     ),
     "18.2": Value(
         kind="predict",
@@ -66,22 +67,21 @@ EXERCISES: dict[str, Exercise] = {
         remark="Nearly two to the sixth, the order of a window of four.",
     ),
     "18.3": Value(
-        kind="compute",
-        right=_stored_as_one,
-        unit="radians",
-        accuracy=0.02,
+        kind="predict",
+        right=lambda: float(solid_angle(np.eye(3))) / degree,
+        unit="degrees",
         mistakes={
-            "That is for 32 bits. A word of 64 bits has 53 binary digits.": (
-                lambda: _stored_as_one(np.float32)
-            ),
-            "Below one, neighbouring numbers of the word lie half as far apart as above it, and "
-            "rounding goes to the nearer one.": lambda: 2 * _stored_as_one(),
-            "Rounding goes to the nearer number: half of the distance to the next one below 1 is "
-            "enough.": lambda: np.sqrt(2) * _stored_as_one(),
-            "That is the difference of 1 and λ0, not yet the angle: it goes with the square.": (
-                lambda: float(np.finfo(float).epsneg) / 2
-            ),
+            "The gyro says so, and is right about its rate. But the axis about which it felt "
+            "nothing was another one at each moment.": lambda: 0,
+            "The way has the eighth of the sphere on its left: look from outside, or go the way "
+            "with a pencil.": lambda: -float(solid_angle(np.eye(3))) / degree,
+            "Three right angles about three different axes do not add up; and none of them is "
+            "about the rod.": lambda: 270,
+            "Turned like that the rod would look the same. A whole turn makes no difference: count "
+            "the short way round.": lambda: float(solid_angle(np.eye(3))) / degree - 360,
+            "That is in radians, and of the opposite sign: the eighth of the sphere lies on the "
+            "left of the way.": lambda: -float(solid_angle(np.eye(3))),
         },
-        remark="A hundredth of an arc second or less: in 64 bits few steps are so small.",
+        remark="The solid angle of an octant. Geometers call it a holonomy.",
     ),
 }

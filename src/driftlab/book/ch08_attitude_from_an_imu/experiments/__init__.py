@@ -6,6 +6,7 @@ from .four_samples import (
     weights_by_distance as weights_by_distance,
     weights_of_polynomial as weights_of_polynomial,
 )
+from .more_samples import three_against_four as three_against_four
 from .noise_and_band import (
     ANGLE_RANDOM_WALK as ANGLE_RANDOM_WALK,
     FLOOR_RATES as FLOOR_RATES,
@@ -29,4 +30,8 @@ from .rates import (
     increments_made as increments_made,
 )
 from .rounding import rounded as rounded
-from .sculling import SHAKER as SHAKER, sculling_error as sculling_error
+from .sculling import (
+    SHAKER as SHAKER,
+    sculling_error as sculling_error,
+    sculling_run as sculling_run,
+)

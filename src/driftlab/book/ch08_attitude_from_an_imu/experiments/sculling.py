@@ -4,11 +4,13 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import g
+from scipy.integrate import cumulative_simpson
 from scipy.special import j1
 
 from driftlab.attitude.coning_algorithms import Algorithm
 from driftlab.attitude.sculling import step_velocities
-from driftlab.checks import FloatArray
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.quaternion import from_rotation_vector, rotate
 
 
@@ -61,3 +63,32 @@ def sculling_error(
     starts = np.arange(0, count, algorithm.samples) / rate
     gained = rotate(motion.attitude(starts), steps).sum(axis=0)
     return float(gained[2] / seconds - motion.mean_force)
+
+
+def sculling_run(
+    swing: float = SHAKER.swing,
+    frequency: float = SHAKER.frequency,
+    force: float = SHAKER.force,
+    periods: int = 4,
+) -> DataTable:
+    """Follow the velocity along the third axis, in space and as sums in the body."""
+    shaker = Sculling(
+        positive_number(swing, "swing"),
+        positive_number(force, "force"),
+        positive_number(frequency, "frequency"),
+    )
+    count = 200 * whole_number(periods, "periods")
+    time = np.linspace(0, periods / shaker.frequency, count + 1)
+    phase = 2 * np.pi * shaker.frequency * time
+    angle, felt = shaker.swing * np.sin(phase), shaker.force * np.sin(phase)
+    velocity = cumulative_simpson(felt * np.sin(angle), x=time, initial=0)
+    return DataTable(
+        {
+            "time": (time, "s", "since the start"),
+            "angle": (angle, "deg", "turned about the first axis"),
+            "felt": (felt / g, "", "specific force along the second axis of the body, g"),
+            "velocity": (velocity, "mm_per_s", "along the third axis in space"),
+            "mean": (shaker.mean_force * time, "mm_per_s", "mean force times the time"),
+        },
+        {"mean_force": (shaker.mean_force, "ug", "mean force along the third axis in space")},
+    )

@@ -3,7 +3,7 @@
 from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
-from . import between_samples, noise_and_band, pseudo_coning
+from . import between_samples, more_samples, noise_and_band, pseudo_coning, sculling
 
 FIGURES = (
     FigureDefinition(
@@ -42,6 +42,26 @@ FIGURES = (
             "increments go round a thin ellipse, so a computer takes the motion for a cone. The "
             f"drift, sampled at {table.words('sample_rate', 'g')}, is the area of the ellipse; the "
             "better algorithm sees more of it."
+        ),
+    ),
+    FigureDefinition(
+        "08-more-samples",
+        experiments.three_against_four,
+        more_samples.draw,
+        lambda table: (
+            "Drift on a cone with three samples a step, divided by the drift with four (weights "
+            f"spread evenly), at {', '.join(table.samples)} samples per coning cycle. Above the "
+            "line the fourth sample gains: on narrow cones only."
+        ),
+    ),
+    FigureDefinition(
+        "08-sculling",
+        experiments.sculling_run,
+        sculling.draw,
+        lambda table: (
+            "A body swings about its first axis while a force along its second axis acts in step. "
+            "Both average out in the body. In space the mean force along the third axis is "
+            f"{table.words('mean_force', '.0f')}, and the velocity grows."
         ),
     ),
 )
