@@ -48,6 +48,26 @@ def test_area_that_a_polygon_misses_is_the_coning_drift(samples: int) -> None:
         assert drift == pytest.approx(small * area, rel=10 * small, abs=samples * 1e-15)
 
 
+@published("07-trap-on-a-cone")
+def test_third_order_goes_round_and_the_drift_is_of_fourth_order(figure: PublishedFigure) -> None:
+    """Twice as many samples: an eighth of the circle, and a sixteenth of the drift."""
+    table = figure.data
+    coarse, fine = table.samples
+    around = [np.ptp(table.first[each]) for each in (coarse, fine)]
+    assert around[0] / around[1] == pytest.approx(8, rel=0.05)
+    grown = [table.along[each][-1] for each in (coarse, fine)]
+    assert grown[0] / grown[1] == pytest.approx(16, rel=0.05)
+    for each in table.samples:
+        # The circle closes after each round; only the drift is left.
+        ends = np.searchsorted(table.rounds[each], [1.0, 2.0, 3.0])
+        across = np.hypot(table.first[each][ends], table.second[each][ends])
+        assert across.max() < 0.01 * np.ptp(table.first[each])
+        drift = -coning_drift("two-step-3", table.half_angle, 1.0, 1 / int(each))
+        np.testing.assert_allclose(
+            np.abs(table.along[each][ends]) / [1, 2, 3], abs(drift), rtol=1e-3
+        )
+
+
 @published("07-algorithm-orders")
 def test_algorithm_orders_are_those_of_the_derivation_except_where_symmetry_hides_them(
     figure: PublishedFigure,

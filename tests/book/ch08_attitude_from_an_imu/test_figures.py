@@ -159,3 +159,55 @@ def test_leading_term_is_too_large_where_samples_are_few() -> None:
         first = factorial(m) / (2.0**m * factorial2(2 * m + 1)) * x ** (2 * m)
         ratios.append(-float(missed_part(algorithm, np.array(5.0))) / first)
     np.testing.assert_allclose(ratios, [0.83, 0.74, 0.65, 0.57, 0.50], atol=0.006)
+
+
+@published("08-between-samples")
+def test_guesses_between_samples_have_their_orders(figure: PublishedFigure) -> None:
+    table = figure.data
+    often = table.samples_a_round > 12
+    for name, order in (
+        ("rectangle", 1), ("trapezoid", 2), ("spline of degree 3", 4), ("spline of degree 5", 6)
+    ):  # fmt: skip
+        slope = np.polyfit(
+            np.log(table.samples_a_round[often]), np.log(table.error[name][often]), 1
+        )
+        assert -slope[0] == pytest.approx(order, abs=0.25), name
+    few = table.samples_a_round < 2.5
+    assert all(error[few].min() > 0.05 for error in table.error.values())
+    on_samples = np.searchsorted(table.moment, table.sampled_at[1:-1])
+    spline = table.guess["spline of degree 5"][on_samples]
+    np.testing.assert_allclose(spline, table.sampled[1:-1], rtol=0, atol=0.02)
+
+
+@published("08-pseudo-coning")
+def test_a_late_gyro_makes_the_drift_of_its_ellipse(figure: PublishedFigure) -> None:
+    table, area = figure.data, np.pi * figure.data.swing * np.ptp(figure.data.across) / 2
+    at = np.argmin(np.abs(table.delay - table.late))
+    assert table.delay[at] == pytest.approx(table.late, rel=0.02)
+    assert table.ellipse[at] == pytest.approx(area * table.frequency, rel=0.02)
+    pairs, plain = table.drift["two-step-4"], table.drift["picard-1"]
+    assert np.all(plain < pairs)
+    assert np.all(pairs < table.ellipse)
+    x = 2 * np.pi * table.frequency / table.sample_rate
+    # A polygon on a circle: the plain product encloses sin(x)/x of the area.
+    np.testing.assert_allclose(plain[:30] / table.ellipse[:30], np.sin(x) / x, rtol=0.01)
+
+
+@published("08-more-samples")
+def test_borders_of_the_fourth_sample(figure: PublishedFigure) -> None:
+    table = figure.data
+    borders = {}
+    for each, gain in table.gain.items():
+        assert gain[0] > 1 > gain[-1]
+        borders[each] = np.degrees(table.half_angle[np.flatnonzero(gain > 1)[-1]])
+    assert borders["5"] == pytest.approx(8.5, abs=0.3)
+    assert borders["8"] == pytest.approx(4.75, abs=0.25)
+    assert borders["20"] == pytest.approx(3.5, abs=0.2)
+
+
+@published("08-sculling")
+def test_swing_and_force_in_step_make_a_velocity(figure: PublishedFigure) -> None:
+    table = figure.data
+    whole = slice(None, None, 200)
+    np.testing.assert_allclose(table.velocity[whole], table.mean[whole], rtol=1e-6, atol=1e-9)
+    assert abs(np.mean(table.felt[:-1])) < 1e-12

@@ -9,6 +9,7 @@ from scipy.stats import gmean
 
 from driftlab.attitude.finite_precision import UPDATES
 from driftlab.attitude.noise_amplification import noise_growth
+from driftlab.attitude.spherical_area import solid_angle
 from driftlab.book.ch18_deep_end.experiments import (
     ARITHMETICS,
     STEP_ANGLES,
@@ -151,3 +152,19 @@ def test_same_rates_make_the_error_of_the_peer_and_a_better_spline_makes_less() 
     assert seventh < quintic / 10
     # The integrator takes its time; with half as many samples both err alike as well.
     assert precession_error(1000, 3) == pytest.approx(precession_error_of_peer(1000), rel=0.01)
+
+
+@published("18-rod")
+def test_rod_comes_back_turned_by_the_solid_angle(figure: PublishedFigure) -> None:
+    tips, marks = figure.data.tip.T, figure.data.mark.T
+    np.testing.assert_allclose(tips[-1], tips[0], rtol=0, atol=1e-14)
+    # The whole way is to the left of the rod's tip; the solid angle is that of its corners.
+    count = (len(tips) - 1) // 3
+    area = float(solid_angle(tips[[0, count, 2 * count]]))
+    assert area == pytest.approx(figure.data.along, rel=1e-12)
+    turned = np.arctan2(np.cross(marks[0], marks[-1]) @ tips[0], marks[0] @ marks[-1])
+    assert turned == pytest.approx(area, rel=1e-12)
+    # The mark never turns about the rod: its change is along the rod alone.
+    change, middle = np.diff(marks, axis=0), (marks[1:] + marks[:-1]) / 2
+    sideways = np.cross((tips[1:] + tips[:-1]) / 2, middle)
+    assert np.abs(np.einsum("ni,ni->n", change, sideways)).max() < 1e-14
