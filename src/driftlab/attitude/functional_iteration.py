@@ -7,7 +7,7 @@ of the polynomial; inside a window of few increments that turns by more than two
 that of the nodes, 5e-8 rad and less.
 
 The method is Wu's, with Legendre's polynomials and the nodes of a Gauss rule instead of Chebyshev's
-polynomials and their truncation; see chapter 07.
+polynomials and their truncation; see chapter 18.
 """
 
 from __future__ import annotations

@@ -39,7 +39,7 @@ def integrate(
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad, in the order in which they happen,
         as from an integrating gyro. Sampled rates times the interval lose the coning between two
-        samples, see chapter 07; for these there is `increments_from_rates`.
+        samples, see chapter 08; for these there is `increments_from_rates`.
     algorithm : str or Algorithm or FunctionalIteration or callable
         A key of `ALGORITHMS`, a custom algorithm, or one's own function as in `own_algorithms`.
         `one-step-3`, `two-step-3` and `two-step-4` are reconstructed from the abstract of
