@@ -43,8 +43,8 @@ FIGURES = (
         algorithm_orders.draw,
         lambda _: (
             "Largest error of each algorithm in "
-            f"{experiments.DURATION:g} s against the rate at which the gyros are read; published "
-            "for four motions. The small cone and the fixed axis hide the third-order errors that "
+            f"{experiments.DURATION:g} s against the rate at which the gyros are read; default: "
+            "four motions. The small cone and the fixed axis hide the third-order errors that "
             "the ship shows; on the wide cone they show as a wobble that does not grow. On a fixed "
             "axis the rotation vectors have no error but rounding. The algorithms of Perelyaev "
             "and Chelnokov are reconstructed."

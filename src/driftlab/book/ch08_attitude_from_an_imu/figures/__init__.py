@@ -27,8 +27,8 @@ FIGURES = (
             f"of {table.words('half_angle', 'g')} at {table.words('frequency', 'g')} in "
             f"{table.words('seconds', 'g')}, and the floors under it: gyros that round to "
             f"{table.shown('quantum'):g} arc second, and white noise of "
-            f"{table.words('angle_random_walk', 'g')}. As published, for the "
-            "bracket, a remainder that is lost spoils what the corrections gain; one that is "
+            f"{table.words('angle_random_walk', 'g')}. By default, on the "
+            "bracket, a remainder that is lost spoils the gain of the corrections; one that is "
             "carried costs about as much as the noise."
         ),
     ),

@@ -29,13 +29,12 @@ FIGURES = (
             f"{table.words('frequency', 'g')}. First the drift, by samples a round: where a "
             "window's points are missing, its iterations do not settle and the package refuses. "
             f"Then the error after {table.words('seconds', 'g')} at {table.words('rate', 'g')}, "
-            f"root mean square of {table.runs} runs, if every increment has noise. As published, "
-            f"for windows of {experiments.WINDOWS[0]} to {experiments.WINDOWS[-1]} increments on a "
-            "cone of "
-            f"{np.degrees(experiments.WIDE_BRACKET.half_angle):g}°: with many samples a round the "
-            "wider window errs less, below some five it does not; the widest is down to rounding, "
-            "magnified; noise hides what the wider windows gain, and the widest magnifies it. "
-            "`two-step-4` is reconstructed."
+            f"root mean square of {table.runs} runs, if every increment has noise. Defaults: "
+            f"windows of {experiments.WINDOWS[0]} to {experiments.WINDOWS[-1]} increments, a cone "
+            f"of {np.degrees(experiments.WIDE_BRACKET.half_angle):g}°. With many samples a round "
+            "the wider window errs less, below some five it does not. The widest is down to "
+            "rounding, magnified. Noise hides the gain of the wider windows, and the widest "
+            "magnifies it. `two-step-4` is reconstructed."
         ),
     ),
     FigureDefinition(
