@@ -381,6 +381,14 @@ def own():
     exercises._OWN.clear()
 
 
+def test_a_tenth_exercise_is_asked_for_as_text(own, capsys):
+    half = Value(kind="compute", right=lambda: 2.0, mistakes={"That is a half.": lambda: 0.5})
+    for number in ("90.1", "90.10"):
+        add_exercise(number, half)
+    check(90.1, ...)
+    assert 'write "90.10", as text' in capsys.readouterr().out
+
+
 def test_an_exercise_of_ones_own_answers_like_the_books(own, capsys):
     half = Value(kind="compute", right=lambda: 2.0, mistakes={"That is a half.": lambda: 0.5})
     add_exercise("90.1", half)
