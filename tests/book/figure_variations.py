@@ -36,6 +36,7 @@ VARIATIONS: dict[str, dict[str, Any]] = {
         "motions": {"roll of 5°": Sway(0.09, 0.5)},
     },
     "07-coning-area": {"samples": 12, "half_angle": 0.7},
+    "07-polynomials": {"rate": 0.6},
     "07-trap-on-a-cone": {"algorithm": "two-step-4", "half_angle": 0.3, "rounds": 1},
     "07-coning-drift": {"algorithms": {"mine": plain, "picard-1": "picard-1"}, "half_angle": 0.1},
     "08-between-samples": {"samples": 3.0},

@@ -1,7 +1,10 @@
 """The figures of chapter 07: the orders of algorithms, coning, last stages."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
+from scipy.integrate import simpson
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS, CONING_ALGORITHMS, Algorithm
 from driftlab.attitude.drift_on_cones import coning_drift
@@ -46,6 +49,20 @@ def test_area_that_a_polygon_misses_is_the_coning_drift(samples: int) -> None:
         # Left out is the fourth power; and some eps of rounding a sample.
         small = 1e-3**2
         assert drift == pytest.approx(small * area, rel=10 * small, abs=samples * 1e-15)
+
+
+@published("07-polynomials")
+def test_polynomials_have_the_increments_of_the_rate(figure: PublishedFigure) -> None:
+    table = figure.data
+    for way, edges in (("two halves", (0, 0.5, 1)), ("two before", (-2, -1, 0, 1))):
+        time = table.time[way]
+        for begin, end in pairwise(edges):
+            there = (time > begin - 1e-9) & (time < end + 1e-9)
+            found, true = (
+                simpson(column[way][there], x=time[there])
+                for column in (table.polynomial, table.true)
+            )
+            assert found == pytest.approx(true, abs=1e-8)
 
 
 @published("07-trap-on-a-cone")

@@ -23,6 +23,7 @@ from .last_stages import (
     leading_errors as leading_errors,
     stage_drift as stage_drift,
 )
+from .polynomials import polynomials_through_increments as polynomials_through_increments
 from .symmetry import (
     drift_orders as drift_orders,
     order_on_ship as order_on_ship,

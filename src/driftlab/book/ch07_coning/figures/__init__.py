@@ -9,6 +9,7 @@ from . import (
     coning_area,
     coning_drift,
     last_stages,
+    polynomials,
     trap_on_a_cone,
 )
 
@@ -22,6 +23,16 @@ FIGURES = (
             "narrow cone the rotation about that axis is the area inside; sums of increments "
             f"enclose a polygon and miss the slivers ({table.samples} samples a round are drawn). "
             "On the right, a pair of samples with their triangle."
+        ),
+    ),
+    FigureDefinition(
+        "07-polynomials",
+        experiments.polynomials_through_increments,
+        polynomials.draw,
+        lambda _: (
+            "One step (shaded) of one component of the rate. The computer has the increments only, "
+            "the areas of the steps. Left: a straight line with the increments of the two halves. "
+            "Right: a parabola with the increment of the step and the two before it."
         ),
     ),
     FigureDefinition(
