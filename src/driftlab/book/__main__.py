@@ -194,11 +194,18 @@ def _copy(paths: Iterable[Path], folder: Path) -> None:
 
 
 def write_errata(file: Path) -> None:
-    """Write what the copies of the papers have wrong, and where the book has their results."""
-    (file.parent / "docs").mkdir(exist_ok=True)
-    for path, text in ((file, errata()), (file.parent / "docs/papers.md", papers_page())):
-        path.write_text(text, encoding="utf-8", newline="\n")
-        print(f"Written: {path}")
+    """Write what the copies of the papers have wrong, from the ledger."""
+    _write(errata(), file)
+
+
+def write_papers(file: Path) -> None:
+    """Write where the book has each figure and equation of the papers, from the ledger."""
+    _write(papers_page(), file)
+
+
+def _write(text: str, file: Path) -> None:
+    file.write_text(text, encoding="utf-8", newline="\n")
+    print(f"Written: {file}")
 
 
 def write_class_report(folder: Path, chapters: str | None, output: Path | None) -> None:
@@ -254,7 +261,13 @@ def main() -> None:
     drawn.set_defaults(write=write_figures_or_compare)
     wrong = commands.add_parser("errata", help=write_errata.__doc__)
     wrong.set_defaults(write=write_errata)
-    for command, what, default in ((drawn, "folder", "figures"), (wrong, "file", "ERRATA.md")):
+    places = commands.add_parser("papers", help=write_papers.__doc__)
+    places.set_defaults(write=write_papers)
+    for command, what, default in (
+        (drawn, "folder", "figures"),
+        (wrong, "file", "ERRATA.md"),
+        (places, "file", "docs/papers.md"),
+    ):
         command.add_argument(
             *("--output", "-o"),
             dest=what,

@@ -101,7 +101,7 @@ def papers_page() -> str:
         "# From the papers to this book",
         "",
         "Where each figure, equation, table and number of the four papers is in this book, and "
-        "the command that makes or checks it. Written by `python -m driftlab.book errata` from "
+        "the command that makes or checks it. Written by `python -m driftlab.book papers` from "
         "the ledger; do not edit. Claims in words are in the notebooks on the papers.",
         "",
     ]

@@ -34,7 +34,7 @@ PUZZLE = Puzzle(
         Number(
             asks="How long after the ship has reached its speed is that?",
             unit="minutes",
-            low=0.1,
+            low=1,
             high=1000,
             truth=lambda: worst_after_gathering_way()[1],
         ),
