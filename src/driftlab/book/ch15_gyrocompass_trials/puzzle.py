@@ -35,7 +35,7 @@ PUZZLE = Puzzle(
             asks="How long after the ship has reached its speed is that?",
             unit="minutes",
             low=1,
-            high=1000,
+            high=10_000,
             truth=lambda: worst_after_gathering_way()[1],
         ),
     ),
