@@ -55,7 +55,7 @@ HEAVY = (
     "TypeTestExplorer",
     "MissionExplorer",
     "notebook-05_rate_table_on_earth.ipynb",
-    "figure-08-in-place-claim",
+    "figure-12-in-place-claim",
     "AllanExplorer",
     "ObservabilityExplorer",
 )

@@ -73,7 +73,7 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "06-riccati-turns": {"misses": [0.1], "turns": 2, "steps": 50, "tolerances": [1e-4, 1e-5]},
     "14-ship-under-way": {"speed": 5.0, "turn": -1.5, "window": "gathering way"},
     "11-calibration-errors": {"scheme": SHORT, "seed": 2},
-    "11-neglected-terms": {"units": 2, "spread": 1e-3, "ratio": 2.0, "dwell": 3.0},
+    "12-neglected-terms": {"units": 2, "spread": 1e-3, "ratio": 2.0, "dwell": 3.0},
     "11-designed-scheme": {
         "random_schemes": 3,
         "draws": 1,
@@ -81,11 +81,11 @@ VARIATIONS: dict[str, dict[str, Any]] = {
         "positions": 8,
         "duration": 330.0,
     },
-    "11-filter-consistency": {"runs": 3, "scheme": SHORT, "assumed_noise": ImuNoise(1e-5)},
-    "11-in-place": {"scheme": SHORT, "duration": 3000.0, "latitude": 0.9},
-    "11-in-place-claim": {"units": 2, "sizes": [1e-3], "duration": 300.0, "dwell": 1.0},
+    "12-filter-consistency": {"runs": 3, "scheme": SHORT, "assumed_noise": ImuNoise(1e-5)},
+    "12-in-place": {"scheme": SHORT, "duration": 3000.0, "latitude": 0.9},
+    "12-in-place-claim": {"units": 2, "sizes": [1e-3], "duration": 300.0, "dwell": 1.0},
     "11-scheme-directions": {"schemes": (SHORT,)},
-    "11-size-effect": {
+    "12-size-effect": {
         "arm": 0.1,
         "sizes": [0.05, 0.2],
         "rates": [0.5],

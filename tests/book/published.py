@@ -20,7 +20,7 @@ NAMES = tuple(figures.figure_definitions())
 # Figures and panels that are of the same run.
 SHARED = {
     "11-calibration-errors": "CalibrationRunExplorer",
-    "11-in-place": "CalibrationRunExplorer",
+    "12-in-place": "CalibrationRunExplorer",
     "16-capstone": "CapstoneExplorer",
 }
 

@@ -23,7 +23,7 @@ RIGHT = {
     "3.3": ("letters", "ad", "ab"),
     "3.5": ("code", FORMULA, FORMULA.replace("[-1]", "[0]")),
     "10.2": ("line", "0, −40, 40; 40, 0, −40; −40, 40, 0", "0, 40; −40, 0"),
-    "11.5": ("code", "answer = '+180Y -90Y -180Z +90Z +180X'", "answer = '+90X +90Y'"),
+    "11.4": ("code", "answer = '+180Y -90Y -180Z +90Z +180X'", "answer = '+90X +90Y'"),
 }
 """Of each way: what is right, and what is not."""
 

@@ -1,14 +1,12 @@
-"""The figures of chapter 11: what a turntable shows, calibrations, and what they are good for."""
+"""The figures of chapter 11: what a turntable shows, calibrations, and designed schemes."""
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from scipy.constants import arcsecond, micro
+from scipy.constants import micro
 
-from driftlab.book import figures
 from driftlab.book.ch11_kalman_calibration.experiments import (
     BEST,
     DRAWN_ZERO,
@@ -18,10 +16,8 @@ from driftlab.book.ch11_kalman_calibration.experiments import (
     RANDOM,
     STANDING,
     TASKS,
-    TWELVE_TURNS,
     calibration_history,
     expected_covariance,
-    on_reference_velocity,
     rows_of,
     scheme_of,
     table_observability,
@@ -32,7 +28,6 @@ from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.calibration import (
     ERROR_MODELS,
     FULL,
-    TurntableTrial,
     covariance_analysis,
     design_scheme,
     linearize_along,
@@ -41,7 +36,6 @@ from driftlab.calibration import (
 )
 from driftlab.calibration.scheme_design import CRITERIA
 from driftlab.imu import ImuNoise, PriorStandardDeviations
-from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES, Scheme
 from published import published
 
@@ -69,30 +63,6 @@ def test_calibration_errors_stay_below_the_stated_deviations(figure: PublishedFi
         assert three[-1] < three[0]
     assert unit_of("gyro scale x") == (micro, "ppm")
     assert unit_of("accelerometer installation xy")[1] == "arc seconds"
-
-
-@published("11-filter-consistency")
-def test_filter_consistency_of_the_published_runs(figure: PublishedFigure) -> None:
-    data = figure.data
-    low, high = data.innovation_mean_bounds
-    assert low < data.innovation_mean < high
-    # Of 814 independent values 95 % lie inside, with a standard deviation of 0.8 %.
-    assert data.inside == pytest.approx(0.95, abs=0.025)
-    assert data.state_bound_low < data.states_over_expected[-1] < data.state_bound_high
-
-
-def test_a_study_is_computed_only_where_its_table_is_not_at_hand(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    name = "11-neglected-terms"
-    known = figures.figure_definitions("11")[name]
-    whole = figures.figure(name).data
-    quick = replace(known, compute=lambda: whole)
-    monkeypatch.setattr(figures, "figure_definitions", lambda _: {name: quick})
-    assert figures.figure(name).data is not whole
-    monkeypatch.setattr(figures, "_FOLDER", tmp_path)
-    with pytest.warns(UserWarning, match=r"^11-neglected-terms is computed anew, which takes min"):
-        assert figures.figure(name).data is whole
 
 
 @published("11-table-observability")
@@ -209,50 +179,3 @@ def test_on_a_table_that_stands_a_search_gains_in_the_mean_only(seed: int) -> No
         ]  # fmt: skip
         found = design_scheme(task, seed, draws=100, climbs=1).value / min(known)
         assert low < found < high
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("velocity", "scheme"),
-    [
-        (1e-4, "18 rotations"),
-        pytest.param(1e-3, "19 positions", marks=pytest.mark.long),
-        pytest.param(1e-5, "19 positions", marks=pytest.mark.long),
-    ],
-)
-def test_the_filter_is_consistent_on_tables_that_stand(velocity: float, scheme: str) -> None:
-    table = TurntableTrial(SCHEMES[scheme], sample_interval=0.1, keep=10**6,
-                           noise=ImuNoise(reference_velocity=velocity))  # fmt: skip
-    low, high = (bound / 27 for bound in mean_square_bounds(27, 20, 0.999))
-    for size, passes in ((40, 1), (400, 2)):
-        prior = PriorStandardDeviations(installation=size * arcsecond)
-        found = replace(table, prior=prior, passes=passes).run(5, 20)
-        assert low < found.nees[:, -1].mean() / 27 < high
-
-
-@published("11-size-effect")
-def test_what_hangs_on_the_reference_velocity(figure: PublishedFigure) -> None:
-    """The range of each sentence of the section: 10 µm/s to 1 cm/s, both schemes."""
-    known, arms = on_reference_velocity(), figure.data
-    still = known.reference_velocity < 1.1 * STANDING
-    # The noise of the gyros limits these.
-    assert (known.gyro_bias / known.gyro_bias[:, :1]).max() < 1.3
-    assert ((known.knots > 0.45) & (known.knots < 0.65)).all()
-    assert ((known.knots_turned > 0.95) & (known.knots_turned < 1.35)).all()
-    assert known.knots[:, still].max() < 0.5
-    # These become sharper, and the lead of turns shrinks.
-    for sharper in (known.pair, known.acc_bias):
-        assert (np.diff(sharper) > 0).all()
-        gain = sharper[:, -1:] / sharper[:, still]
-        assert 2.4 < gain.min() < gain.max() < 3.4
-    np.testing.assert_allclose(known.over_turns, known.pair / TWELVE_TURNS)
-    assert 1.2 < known.over_turns[:, still].min() < known.over_turns[:, still].max() < 1.6
-    assert 3.8 < known.over_turns[:, -1].min() < known.over_turns[:, -1].max() < 4.1
-    # Lever arms: innovations notice them, the errors remain.
-    assert known.with_arms.max() < 2
-    assert known.with_arms[:, still].max() < 1.07
-    bound = mean_square_bounds(3, int(arms.updates.max()))[1] / 3
-    assert arms.noticed_at[0, -1] == pytest.approx(bound, abs=0.005)
-    assert arms.noticed_at[:, arms.reference_velocity < 1.1e-3].min() > 2
-    assert arms.noticed_at[:, still].min() > 7
-    assert arms.worst_at.min() > 12

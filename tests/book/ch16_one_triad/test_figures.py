@@ -6,7 +6,7 @@ from hypothesis import given, strategies as st
 from scipy.constants import arcsecond
 
 from driftlab.attitude.drift_on_cones import coning_drift
-from driftlab.book.ch11_kalman_calibration.experiments import (
+from driftlab.book.ch12_calibration_consistency.experiments import (
     TWELVE_TURNS,
     on_reference_velocity,
 )

@@ -273,6 +273,7 @@ def test_sentences_under_the_answers_are_true(truths):
     assert truths["07"][0] * 60 > 15.04 * 60  # ′ a minute in °/h, and the Earth's 15.04 °/h
     assert truths["10"] == [6.0]
     assert truths["11"] == [9, 27]
+    assert truths["12"] == pytest.approx([3.3, 14.7], abs=0.2)
     assert truths["14"][0] < 0.01
     assert truths["14"][1] == pytest.approx(2, abs=0.05)
     assert 50 < plumb_line() < 55

@@ -1,17 +1,19 @@
 """One calibration of the typical unit by the 27-state filter, and what it says of each error."""
 
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
+from scipy.constants import arcsecond
 
 from driftlab.book.machinery.figure.data_table import UNITS, DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import ERROR_MODELS, TurntableTrial
 from driftlab.calibration.simulation import Trial
 from driftlab.checks import whole_number
-from driftlab.imu import TYPICAL_ERRORS, ImuErrors
-from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
+from driftlab.imu import TYPICAL_ERRORS, ImuErrors, PriorStandardDeviations
+from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
 
 SEED = 20180501
 """Of the noise, and of the table's error in setting up."""
@@ -130,3 +132,23 @@ def calibration_errors(
         "names": (names[6:], "", "of the sensor errors"),
         "positions": (scheme.positions, "", "pauses of the scheme"),
     })  # fmt: skip
+
+
+QUICK_TRIAL = TurntableTrial(
+    scheme=replace(NINETEEN_POSITIONS, dwell=63.0),
+    sample_interval=0.25,
+    update_interval=9.0,
+    keep=10_000,
+)
+"""The nineteen positions with pauses half as long and few samples; only the end is kept."""
+
+
+def quick_trial(
+    scheme: str, installation: float, dwell: float = QUICK_TRIAL.scheme.dwell
+) -> TurntableTrial:
+    """Return `QUICK_TRIAL` on a scheme, for a spread of installation errors in arc seconds."""
+    return replace(
+        QUICK_TRIAL,
+        scheme=replace(SCHEMES[scheme], dwell=dwell),
+        prior=PriorStandardDeviations(installation=installation * arcsecond),
+    )

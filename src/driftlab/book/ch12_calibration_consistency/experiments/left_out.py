@@ -6,12 +6,10 @@ Each size follows from a stated assumption; what it would bias is the state that
 import numpy as np
 from scipy.constants import degree, g, hour, micro
 
+from driftlab.book.ch11_kalman_calibration.experiments import expected_covariance, unit_of
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.calibration import ERROR_MODELS
 from driftlab.motion.scheme import NINETEEN_POSITIONS
-
-from .calibration import unit_of
-from .designed_schemes import expected_covariance
 
 
 def left_out(latitude: float) -> DataTable:

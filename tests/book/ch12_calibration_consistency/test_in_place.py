@@ -8,16 +8,18 @@ from scipy.stats import binom
 
 from driftlab.book.ch11_kalman_calibration.experiments import (
     ALL_STARTS,
+    STARTS,
+    starts,
+    verdict,
+)
+from driftlab.book.ch12_calibration_consistency.experiments import (
     AT_REST_SIZES,
     FRAMES,
     QUANTITIES,
-    STARTS,
     TRIANGLES,
     Comparison,
     comparisons,
     error_ratios,
-    starts,
-    verdict,
 )
 from driftlab.book.ledger import ledger_entries
 from driftlab.book.machinery.figure.publish import PublishedFigure
@@ -27,7 +29,7 @@ from driftlab.motion.scheme import SCHEMES
 from published import percent, published
 
 
-@published("11-in-place")
+@published("12-in-place")
 def test_in_place_curves_are_one_if_both_start_from_one_attitude(figure: PublishedFigure) -> None:
     data = figure.data
     one, table = STARTS
@@ -42,7 +44,7 @@ def test_in_place_curves_are_one_if_both_start_from_one_attitude(figure: Publish
         assert np.abs(curves[averaged, table] - curves[usual, table]).max() > 50 * apart
 
 
-@published("11-in-place")
+@published("12-in-place")
 def test_analytic_curves_lie_on_the_simulated_ones(figure: PublishedFigure) -> None:
     data = figure.data
     gaps = []
@@ -72,7 +74,7 @@ def test_in_place_claim_verdict_counts() -> None:
     assert binom.cdf(3, 4, high) == pytest.approx(0.025)
 
 
-@published("11-in-place-claim")
+@published("12-in-place-claim")
 def test_in_place_claim_is_read_from_the_study_that_the_code_makes(figure: PublishedFigure) -> None:
     """The study takes a minute, so one of its cases of two hundred units is computed anew."""
     ratios = figure.data.ratio
@@ -84,7 +86,7 @@ def test_in_place_claim_is_read_from_the_study_that_the_code_makes(figure: Publi
         np.testing.assert_allclose(found, ratios[str(key)], rtol=1e-4)
 
 
-@published("11-in-place-claim")
+@published("12-in-place-claim")
 def test_averaged_axes_win_from_some_starts_and_lose_from_none(
     figure: PublishedFigure,
 ) -> None:
@@ -115,7 +117,7 @@ def test_averaged_axes_win_from_some_starts_and_lose_from_none(
             assert each.median == pytest.approx(1, abs=2e-3)
 
 
-@published("11-in-place-claim")
+@published("12-in-place-claim")
 def test_numbers_of_the_ledger_are_those_of_the_study_in_place(figure: PublishedFigure) -> None:
     (entry,) = (e for e in ledger_entries() if e.label == "Deviates less overall")
     counted, few = comparisons(figure.data), figure.data.certain

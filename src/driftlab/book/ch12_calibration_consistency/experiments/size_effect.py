@@ -5,6 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from driftlab.book.ch11_kalman_calibration.experiments import TYPICAL_NOISE, VELOCITIES
+from driftlab.book.ch11_kalman_calibration.experiments.calibration import SEED
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.calibration import ERROR_MODELS, TurntableTrial, nees
 from driftlab.checks import FloatArray, positive_number
@@ -12,9 +14,6 @@ from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS, HigherOrderErro
 from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise
 from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES, Scheme
-
-from .calibration import SEED
-from .schemes import TYPICAL_NOISE, VELOCITIES
 
 ARM = 0.03
 """m: each accelerometer lies so far out on its own axis."""
@@ -60,11 +59,11 @@ def size_effect(
     innovations = np.array([t.calibration.nis.mean() / 3 for t in trials])
     schemes = [replace(scheme, dwell=dwell) for scheme in SCHEMES.values()]
     found = np.array([
-        [_without_noise(replace(scheme, rate=rate), sizes, seed) for rate in rates]
+        [arms_alone(replace(scheme, rate=rate), sizes, seed) for rate in rates]
         for scheme in schemes
     ])  # fmt: skip
     told = np.array([
-        [_without_noise(scheme, (arm,), seed, each)[:, 0] for each in velocities]
+        [arms_alone(scheme, (arm,), seed, each)[:, 0] for each in velocities]
         for scheme in schemes
     ])  # fmt: skip
     squares, noticed, worst, bias, updates = np.moveaxis(found, 2, 0)
@@ -110,10 +109,10 @@ def on_tables(table: DataTable, name: str) -> FloatArray:
     return np.reshape(table.entry(name).values, table.shape)
 
 
-def _without_noise(
+def arms_alone(
     scheme: Scheme,
     sizes: Sequence[float],
-    seed: int,
+    seed: int = SEED,
     velocity: float = TYPICAL_NOISE.reference_velocity,
 ) -> FloatArray:
     """What the arms do by themselves, and the updates (5, sizes): see the columns of the table.

@@ -6,13 +6,14 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+from driftlab.book.ch11_kalman_calibration.experiments import ALL_STARTS
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.machinery.figure.drawing import Drawing, from_table
 from driftlab.book.machinery.figure.picture import BLACK, GREY, GUIDE, SERIES, legend_below_all
 from driftlab.book.machinery.figure.sheet import Sheet
 from driftlab.motion.scheme import SCHEMES
 
-from ..experiments import ALL_STARTS, QUANTITIES, TRIANGLES, Comparison, comparisons
+from ..experiments import QUANTITIES, TRIANGLES, Comparison, comparisons
 
 WIDE = (0.3, [0.3, 0.5, 1, 2, 3], 3.3)
 NARROW = (0.95, [0.96, 0.98, 1.0, 1.02, 1.04], 1.05)

@@ -5,13 +5,15 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.constants import hour, knot, minute
 
+from driftlab.book.ch11_kalman_calibration.experiments import (
+    TYPICAL_NOISE,
+    VELOCITIES,
+    expected_covariance,
+)
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import ERROR_MODELS, calibration_error_budget
 from driftlab.motion.scheme import SCHEMES, Scheme
-
-from .designed_schemes import expected_covariance
-from .schemes import TYPICAL_NOISE, VELOCITIES
 
 TWELVE_TURNS = TYPICAL_NOISE.angle_random_walk * np.sqrt(36.0) / (2 * np.pi) * np.sqrt(3 / 4)
 """Standard deviation of a pair of gyro axes by twelve turns of 36 s, rad; chapter 16 derives it."""

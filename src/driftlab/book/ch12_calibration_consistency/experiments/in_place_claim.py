@@ -13,6 +13,15 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.body_frames import GYRO_FRAMES
+from driftlab.book.ch11_kalman_calibration.experiments import QUICK_TRIAL, quick_trial
+from driftlab.book.ch11_kalman_calibration.experiments.starts import (
+    ALL_STARTS,
+    TABLE_ATTITUDE,
+    one_attitude,
+    own_axes,
+    self_aligned,
+)
+from driftlab.book.ch11_kalman_calibration.experiments.verdicts import Verdict, verdict
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import navigate_static
@@ -23,9 +32,6 @@ from driftlab.monte_carlo import run_batches
 from driftlab.motion.scheme import SCHEMES
 
 from .at_rest import REST_DURATION
-from .consistency import QUICK_TRIAL, quick_trial
-from .starts import ALL_STARTS, TABLE_ATTITUDE, one_attitude, own_axes, self_aligned
-from .verdicts import Verdict, verdict
 
 AT_REST_SIZES = (40, 400)
 """Spreads of the installation errors of the units at rest, arc seconds."""

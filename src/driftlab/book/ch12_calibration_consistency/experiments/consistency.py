@@ -1,39 +1,17 @@
 """Is the filter as good as it says? Squared normalised errors and innovations over many runs."""
 
-from dataclasses import replace
-
 import numpy as np
-from scipy.constants import arcsecond
 
+from driftlab.book.ch11_kalman_calibration.experiments import TYPICAL_NOISE
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.calibration import TurntableTrial
-from driftlab.imu import ImuNoise, PriorStandardDeviations
+from driftlab.imu import ImuNoise
 from driftlab.monte_carlo import mean_square_bounds, run_batches
-from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
-
-from .schemes import TYPICAL_NOISE
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
 RUNS = 60
 """Calibrations whose errors and innovations are followed over time."""
 SEED = 2018
-QUICK_TRIAL = TurntableTrial(
-    scheme=replace(NINETEEN_POSITIONS, dwell=63.0),
-    sample_interval=0.25,
-    update_interval=9.0,
-    keep=10_000,
-)
-"""The nineteen positions with pauses half as long and few samples; only the end is kept."""
-
-
-def quick_trial(
-    scheme: str, installation: float, dwell: float = QUICK_TRIAL.scheme.dwell
-) -> TurntableTrial:
-    """Return `QUICK_TRIAL` on a scheme, for a spread of installation errors in arc seconds."""
-    return replace(
-        QUICK_TRIAL,
-        scheme=replace(SCHEMES[scheme], dwell=dwell),
-        prior=PriorStandardDeviations(installation=installation * arcsecond),
-    )
 
 
 def filter_consistency(

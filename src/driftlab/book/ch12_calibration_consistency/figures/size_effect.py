@@ -4,13 +4,14 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.constants import centi
 
+from driftlab.book.ch11_kalman_calibration.experiments import TYPICAL_NOISE
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.machinery.figure.drawing import Drawing, from_table
 from driftlab.book.machinery.figure.picture import BLACK, GREY, GUIDE, SERIES
 from driftlab.checks import FloatArray
 from driftlab.motion.scheme import SCHEMES
 
-from ..experiments import FILTERS, TYPICAL_NOISE, on_tables
+from ..experiments import FILTERS, on_tables
 
 KINDS = (
     ("gyro\nbias", 0, 3), ("gyro\nscale", 3, 6), ("gyro\nangles", 6, 9), ("acc.\nbias", 9, 12),

@@ -5,6 +5,12 @@ from typing import Any
 import numpy as np
 from scipy.constants import hour
 
+from driftlab.book.ch11_kalman_calibration.experiments.calibration import SEED, trial_of
+from driftlab.book.ch11_kalman_calibration.experiments.starts import (
+    STARTS,
+    TABLE_ATTITUDE,
+    one_attitude,
+)
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration import (
@@ -15,9 +21,6 @@ from driftlab.calibration import (
 )
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
-
-from .calibration import SEED, trial_of
-from .starts import STARTS, TABLE_ATTITUDE, one_attitude
 
 REST_DURATION = 4 * hour
 """For which the units navigate, s."""

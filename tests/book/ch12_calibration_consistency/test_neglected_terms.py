@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from scipy.constants import arcsecond
 
-from driftlab.book.ch11_kalman_calibration.experiments import (
+from driftlab.book.ch11_kalman_calibration.experiments import quick_trial
+from driftlab.book.ch12_calibration_consistency.experiments import (
     EQUATIONS,
     MOUNTINGS,
     WAYS,
@@ -15,8 +16,7 @@ from driftlab.book.ch11_kalman_calibration.experiments import (
     neglected,
     on_the_computed_path,
 )
-from driftlab.book.ch11_kalman_calibration.experiments.consistency import quick_trial
-from driftlab.book.ch11_kalman_calibration.experiments.neglected_terms import (
+from driftlab.book.ch12_calibration_consistency.experiments.neglected_terms import (
     BATCH,
     SEED,
     STEP,
@@ -42,7 +42,7 @@ def on_the_table(scheme: str, unit: ImuErrors, latitude: float = LATITUDE) -> Fl
     return np.array([*error_equations(true, unit, latitude)])
 
 
-@published("11-neglected-terms")
+@published("12-neglected-terms")
 @pytest.mark.parametrize("filters", [False, pytest.param(True, marks=pytest.mark.long)])
 def test_study_is_read_from_what_the_code_makes(figure: PublishedFigure, filters: bool) -> None:
     """The study takes minutes, so its first units are computed anew, for one of six cases."""
@@ -64,7 +64,7 @@ def test_study_is_read_from_what_the_code_makes(figure: PublishedFigure, filters
     np.testing.assert_allclose(found.mean(axis=-1), kept, rtol=1e-5)
 
 
-@published("11-neglected-terms")
+@published("12-neglected-terms")
 def test_averaged_axes_leave_out_least_in_the_error_equations(figure: PublishedFigure) -> None:
     """What the ledger says: with triads alike in all 32 comparisons, else in 62 of 64."""
     better = figure.data.part_low[..., : len(EQUATIONS)] > 0.5
@@ -130,7 +130,7 @@ def test_of_many_units_more_err_less_in_the_upper_triangle_but_not_in_the_mean()
     assert averaged.mean() < upper.mean()
 
 
-@published("11-neglected-terms")
+@published("12-neglected-terms")
 def test_on_a_table_that_stands_the_axes_matter_less(figure: PublishedFigure) -> None:
     better, worse = figure.data.still_low > 0.5, figure.data.still_high < 0.5
     opened, *fed_back, again = range(len(WAYS) - len(EQUATIONS))
@@ -140,7 +140,7 @@ def test_on_a_table_that_stands_the_axes_matter_less(figure: PublishedFigure) ->
     assert worse[:, [TRIANGLE - 1, OTHER - 1]][..., fed_back].sum() < 7
 
 
-@published("11-neglected-terms")
+@published("12-neglected-terms")
 def test_in_filters_it_depends_on_where_they_are_linearised(figure: PublishedFigure) -> None:
     better, worse = figure.data.part_low > 0.5, figure.data.part_high < 0.5
     opened, *fed_back, again = range(len(EQUATIONS), len(WAYS))

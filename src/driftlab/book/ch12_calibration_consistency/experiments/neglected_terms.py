@@ -14,6 +14,12 @@ from numpy.typing import ArrayLike
 from scipy.constants import arcsecond
 
 from driftlab.body_frames import BODY_FRAMES
+from driftlab.book.ch11_kalman_calibration.experiments import (
+    QUICK_TRIAL,
+    STANDING,
+    quick_trial,
+    verdict,
+)
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.calibration import (
     ERROR_MODELS,
@@ -41,10 +47,6 @@ from driftlab.motion.trajectory import Trajectory
 from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply
 from driftlab.strapdown import ALGORITHM, Navigation, final_state, stationary_state
-
-from .consistency import QUICK_TRIAL, quick_trial
-from .designed_schemes import STANDING
-from .verdicts import verdict
 
 UNITS = 600
 """Units in each case: the same ones, with the same noise, for each choice of axes."""

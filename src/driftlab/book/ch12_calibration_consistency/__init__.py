@@ -1,0 +1,1 @@
+"""Chapter 12: is the calibration as good as it says?"""

@@ -1,0 +1,30 @@
+"""The published figures of chapter 12, with their captions."""
+
+from collections.abc import Callable
+from types import ModuleType
+
+from driftlab.book.machinery.figure.data_table import DataTable
+from driftlab.book.machinery.figure.publish import FigureDefinition
+
+from .. import experiments
+from . import (
+    filter_consistency,
+    in_place,
+    in_place_claim,
+    neglected_terms,
+    size_effect,
+)
+
+_DRAWN: tuple[tuple[str, Callable[..., DataTable], ModuleType, bool], ...] = (
+    ("12-filter-consistency", experiments.filter_consistency, filter_consistency, False),
+    ("12-size-effect", experiments.size_effect, size_effect, True),
+    ("12-neglected-terms", experiments.neglected_terms, neglected_terms, True),
+    ("12-in-place", experiments.errors_at_rest, in_place, False),
+    ("12-in-place-claim", experiments.error_ratios_at_rest, in_place_claim, True),
+)
+"""Name, what computes it, what draws it, and whether that takes minutes."""
+
+FIGURES = tuple(
+    FigureDefinition(name, compute, module.draw, module.caption, kept=kept)
+    for name, compute, module, kept in _DRAWN
+)
