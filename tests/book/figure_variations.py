@@ -85,6 +85,7 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "12-in-place": {"scheme": SHORT, "duration": 3000.0, "latitude": 0.9},
     "12-in-place-claim": {"units": 2, "sizes": [1e-3], "duration": 300.0, "dwell": 1.0},
     "11-scheme-directions": {"schemes": (SHORT,)},
+    "12-many-runs": {"states": 3, "runs": 7, "factor": 0.8},
     "12-size-effect": {
         "arm": 0.1,
         "sizes": [0.05, 0.2],

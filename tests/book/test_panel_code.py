@@ -31,6 +31,7 @@ from panel_numbers.ch06 import cayley_map
 from panel_numbers.ch07 import algorithm_laboratory
 from panel_numbers.ch10 import split_triad
 from panel_numbers.ch11 import calibration, mission, observability
+from panel_numbers.ch12 import consistency
 from panel_numbers.ch17 import allan
 from panel_numbers.values import ABSENT, Values, axis_of, listed
 
@@ -103,6 +104,10 @@ def place_at_the_end(values: Values) -> list[float]:
     return [float(said[f"{way}, nmi: at the end"]) for way in ("East", "North")]
 
 
+def mean_and_bounds(values: Values) -> list[float]:
+    return [float(number) for _, text in consistency(values)[:2] for number in text.split(" and ")]
+
+
 CASES = (
     ("ErrorMotionExplorer", error_at_the_end, {"rel": 1e-9, "abs": 1e-12}),
     ("RootsExplorer", first_order_roots, {"rel": 1e-12}),
@@ -113,6 +118,7 @@ CASES = (
     ("AlgorithmLaboratoryExplorer", worst_errors, {"rel": 0.01}),
     ("CalibrationRunExplorer", estimate, {"abs": 1e-9}),
     ("MissionExplorer", place_at_the_end, {"rel": 1e-4, "abs": 6e-3}),
+    ("ConsistencyExplorer", mean_and_bounds, {"abs": 6e-4}),
     ("AllanExplorer", lowest_point, {"rel": 0.01}),
 )
 PRINTED = (

@@ -23,6 +23,7 @@ from .ch11_kalman_calibration.panels import (
     ObservabilityExplorer as ObservabilityExplorer,
 )
 from .ch11_kalman_calibration.scenes import TurningTable as TurningTable
+from .ch12_calibration_consistency.panels import ConsistencyExplorer as ConsistencyExplorer
 from .ch13_finding_north.panels import AlignmentBudgetExplorer as AlignmentBudgetExplorer
 from .ch13_finding_north.scenes import (
     BowOverTheTop as BowOverTheTop,

@@ -12,6 +12,7 @@ from .in_place_claim import (
     error_ratios_at_rest as error_ratios_at_rest,
 )
 from .left_out import left_out as left_out
+from .many_runs import MOST_RUNS as MOST_RUNS, squared_errors as squared_errors
 from .neglected_terms import (
     COMPARISONS as COMPARISONS,
     EQUATIONS as EQUATIONS,

@@ -11,11 +11,13 @@ from . import (
     filter_consistency,
     in_place,
     in_place_claim,
+    many_runs,
     neglected_terms,
     size_effect,
 )
 
 _DRAWN: tuple[tuple[str, Callable[..., DataTable], ModuleType, bool], ...] = (
+    ("12-many-runs", experiments.squared_errors, many_runs, False),
     ("12-filter-consistency", experiments.filter_consistency, filter_consistency, False),
     ("12-size-effect", experiments.size_effect, size_effect, True),
     ("12-neglected-terms", experiments.neglected_terms, neglected_terms, True),
