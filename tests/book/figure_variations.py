@@ -86,6 +86,9 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "12-in-place-claim": {"units": 2, "sizes": [1e-3], "duration": 300.0, "dwell": 1.0},
     "11-scheme-directions": {"schemes": (SHORT,)},
     "12-many-runs": {"states": 3, "runs": 7, "factor": 0.8},
+    "12-reference-velocity": {"velocities": (1e-4, 1e-2), "latitude": 0.5},
+    "12-assumed-noise": {"velocities": (1e-4, 1e-3), "scheme": SHORT, "seed": 4},
+    "12-varying-biases": {"instabilities": (1e-5, 1e-4), "units": 2, "dwell": 3.0},
     "12-size-effect": {
         "arm": 0.1,
         "sizes": [0.05, 0.2],

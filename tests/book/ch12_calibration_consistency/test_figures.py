@@ -12,6 +12,7 @@ from driftlab.book.ch11_kalman_calibration.experiments import STANDING
 from driftlab.book.ch12_calibration_consistency.experiments import (
     TWELVE_TURNS,
     on_reference_velocity,
+    squared_errors,
 )
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.calibration import TurntableTrial
@@ -90,3 +91,43 @@ def test_what_hangs_on_the_reference_velocity(figure: PublishedFigure) -> None:
     assert arms.noticed_at[:, arms.reference_velocity < 1.1e-3].min() > 2
     assert arms.noticed_at[:, still].min() > 7
     assert arms.worst_at.min() > 12
+
+
+@published("12-many-runs")
+def test_mean_of_many_runs_shows_errors_a_tenth_too_large(figure: PublishedFigure) -> None:
+    data = figure.data
+    assert data.verdict == "too large"
+    assert data.mean == pytest.approx(1.21, abs=0.08)
+    low, high = mean_square_bounds(27, 60)
+    np.testing.assert_allclose(data.bounds, [low / 27, high / 27])
+    assert data.bound_high[59] == pytest.approx(data.bounds[1])
+    assert data.mean_so_far[-1] == data.mean
+    right = squared_errors(27, 200, 1.0, 3)
+    assert right.verdict == "consistent"
+    assert squared_errors(27, 200, 0.7).verdict == "too small"
+
+
+@published("12-varying-biases")
+def test_innovations_do_not_show_varying_biases_at_1_cm_a_second(figure: PublishedFigure) -> None:
+    data = figure.data
+    loose, with_processes, still, still_with = data.squares
+    assert (data.clean[[0, 1, 3]] == 1).all()
+    assert loose[-1] > 7
+    assert still[-1] > 100
+    assert data.clean[2, -1] == 0
+    for right in (with_processes, still_with):
+        np.testing.assert_allclose(right, 1, atol=0.1)
+
+
+@published("12-assumed-noise")
+def test_squares_of_a_log_fit_once_the_noise_is_small_enough(figure: PublishedFigure) -> None:
+    data = figure.data
+    inside = (data.squares > data.squares_low) & (data.squares < data.squares_high)
+    np.testing.assert_array_equal(inside, data.reference_velocity < 1e-4)
+    assert (np.diff(data.stated) > 0).all()
+    assert data.stated[-1] > 10 * data.error[-1]
+
+
+@published("12-reference-velocity")
+def test_reference_velocity_draws_what_the_chapter_lists(figure: PublishedFigure) -> None:
+    np.testing.assert_array_equal(figure.data.pair, on_reference_velocity().pair)

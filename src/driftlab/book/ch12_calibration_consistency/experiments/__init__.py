@@ -24,6 +24,7 @@ from .neglected_terms import (
     neglected_terms as neglected_terms,
     on_the_computed_path as on_the_computed_path,
 )
+from .own_log import assumed_noise as assumed_noise
 from .reference_velocity import (
     TWELVE_TURNS as TWELVE_TURNS,
     on_reference_velocity as on_reference_velocity,
@@ -37,3 +38,4 @@ from .size_effect import (
     on_tables as on_tables,
     size_effect as size_effect,
 )
+from .varying_biases import TABLES as TABLES, varying_biases as varying_biases
