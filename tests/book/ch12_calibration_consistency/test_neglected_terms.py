@@ -25,7 +25,7 @@ from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.checks import FloatArray
 from driftlab.imu import NO_ERRORS, ImuErrors, PriorStandardDeviations, random_imu_errors
 from driftlab.monte_carlo import run_batches
-from driftlab.motion.scheme import SCHEMES
+from driftlab.motion.scheme import SCHEMES, Scheme
 from driftlab.motion.turntable import turntable_trajectory
 from driftlab.quaternion import from_rotation_vector, to_matrix
 from published import published
@@ -112,8 +112,11 @@ def test_about_the_computed_path_it_depends_on_what_is_called_an_error(scheme: s
     of_corrections, of_measured = ahead
     assert (of_corrections >= 40).all()  # of 60, as above
     if scheme == "18 rotations":
-        assert (of_measured[[UPPER - 1, LOWER - 1]] <= 25).all()
+        assert (of_measured[[UPPER - 1, LOWER - 1, OTHER - 1]] <= 27).all()
         assert (of_measured[[UPPER - 1, LOWER - 1], 1] <= 20).all()
+    else:
+        assert (of_measured[[UPPER - 1, LOWER - 1]] > 20).all()  # about equal
+        assert of_measured[OTHER - 1, 0] <= 20
 
 
 @pytest.mark.long
@@ -131,13 +134,39 @@ def test_of_many_units_more_err_less_in_the_upper_triangle_but_not_in_the_mean()
 
 
 @published("12-neglected-terms")
-def test_on_a_table_that_stands_the_axes_matter_less(figure: PublishedFigure) -> None:
+def test_on_a_table_that_stands_the_accelerometers_triangle_loses_its_lead(
+    figure: PublishedFigure,
+) -> None:
+    data, alike = figure.data, MOUNTINGS.index("both alike")
+    relinearised = WAYS.index("fed back, re-linearised")
+    loose = data.better[:, alike, :, relinearised]
+    still = data.still_better[..., relinearised - len(EQUATIONS)]
+    # Of 600 units; the leads of averaged accelerometers remain, that of averaged axes over the
+    # lower triangle grows.
+    assert (still[:, TRIANGLE - 1] > loose[:, TRIANGLE - 1] + 35).all()
+    assert (still[:, OTHER - 1] < loose[:, OTHER - 1]).all()
+    assert (still[:, LOWER - 1] > loose[:, LOWER - 1]).all()
     better, worse = figure.data.still_low > 0.5, figure.data.still_high < 0.5
     opened, *fed_back, again = range(len(WAYS) - len(EQUATIONS))
     assert not worse[..., [opened, again]].any()
     assert not better[..., again].any()
     # Of eight comparisons with axes tied to the accelerometers, seven at 1 cm/s.
-    assert worse[:, [TRIANGLE - 1, OTHER - 1]][..., fed_back].sum() < 7
+    assert worse[:, [TRIANGLE - 1, OTHER - 1]][..., fed_back].sum() == 4
+
+
+@pytest.mark.parametrize(
+    ("turns", "rival", "most"), [("+90X +90Y +90Z", LOWER, 84), ("+90Z +90Z", UPPER, 10)]
+)
+def test_on_other_sequences_a_triangle_of_the_gyros_can_leave_out_less(
+    turns: str, rival: int, most: int
+) -> None:
+    """Velocity about each choice's own path; 84 of 200 fair coins are one in a hundred."""
+    repeats = 6 if rival == LOWER else 4
+    scheme = Scheme(" ".join([turns] * repeats), dwell=63.0)
+    unit = random_imu_errors(PriorStandardDeviations(installation=400 * arcsecond), 7, 200)
+    true = turntable_trajectory(scheme, LATITUDE, 0.25, multiple_of=STEP)
+    velocity = next(error_equations(true, unit, LATITUDE))
+    assert (velocity[AVERAGED] < velocity[rival]).sum() < most
 
 
 @published("12-neglected-terms")
