@@ -32,9 +32,16 @@ def assumed_noise(
     at = [model.names.index(name) for name in BIASES]
     tests, errors, stated = [], [], []
     for velocity in velocities:
-        noise, prior = ImuNoise(reference_velocity=velocity), PriorStandardDeviations()
-        given = {"latitude": latitude, "start": scheme.start_attitude, "update_interval": 10.0}
-        found = calibrate(log, model=model, prior=prior, noise=noise, check=False, **given)
+        found = calibrate(
+            log,
+            latitude=latitude,
+            start=scheme.start_attitude,
+            model=model,
+            prior=PriorStandardDeviations(),
+            noise=ImuNoise(reference_velocity=velocity),
+            update_interval=10.0,
+            check=False,
+        )
         tests.append(innovation_test(found))
         errors.append(np.abs(found.state[-1, at] - TYPICAL_ERRORS.accelerometer_bias).max())
         stated.append(found.standard_deviations[-1, at].max())
