@@ -72,6 +72,7 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "06-cayley-map": {"angle": -1.0, "axis": [0, 0, 1]},
     "06-riccati-turns": {"misses": [0.1], "turns": 2, "steps": 50, "tolerances": [1e-4, 1e-5]},
     "14-ship-under-way": {"speed": 5.0, "turn": -1.5, "window": "gathering way"},
+    "11-error-growth": {"scheme": SHORT, "latitude": 0.5},
     "11-calibration-errors": {"scheme": SHORT, "seed": 2},
     "12-neglected-terms": {"units": 2, "spread": 1e-3, "ratio": 2.0, "dwell": 3.0},
     "11-designed-scheme": {

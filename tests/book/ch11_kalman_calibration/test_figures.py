@@ -35,6 +35,7 @@ from driftlab.calibration import (
     unobservable_subspace,
 )
 from driftlab.calibration.scheme_design import CRITERIA
+from driftlab.earth import gravity
 from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.motion.scheme import SCHEMES, Scheme
 from published import published
@@ -179,3 +180,19 @@ def test_on_a_table_that_stands_a_search_gains_in_the_mean_only(seed: int) -> No
         ]  # fmt: skip
         found = design_scheme(task, seed, draws=100, climbs=1).value / min(known)
         assert low < found < high
+
+
+@published("11-error-growth")
+def test_a_scale_factor_shows_after_the_turn_and_a_bias_stops_when_its_axis_is_up(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    tilt, bias, drift, scale = data.velocity
+    rest, end = 60, len(data.time) - 1
+    assert np.abs(scale[: rest + 1]).max() < 1e-3 * np.abs(scale).max()
+    # The tilt that the scale factor leaves in a quarter turn, times gravity and the time after it.
+    turned = -5e-6 * np.pi / 2 * float(gravity(np.radians(37.5))) * (end - 69)
+    assert scale[end] - scale[69] == pytest.approx(turned, rel=0.01)
+    assert bias[end] == pytest.approx(bias[70], rel=0.02)
+    assert tilt[end] == pytest.approx(end * 9.8 * arcsecond, rel=0.01)
+    assert drift[end] == pytest.approx(-(end**2) / 2 * 9.8 * np.radians(0.01 / 3600), rel=0.02)

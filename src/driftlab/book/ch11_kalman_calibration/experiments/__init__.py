@@ -23,6 +23,7 @@ from .designed_schemes import (
     rows_of as rows_of,
     scheme_of as scheme_of,
 )
+from .error_growth import CAUSES as CAUSES, error_growth as error_growth
 from .mission import SETTABLE as SETTABLE, mission as mission
 from .scheme_run import scheme_run as scheme_run
 from .schemes import (
