@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.constants import micro
+from scipy.constants import arcsecond, micro
 
 from driftlab.book.ch11_kalman_calibration.experiments import (
     BEST,
