@@ -5,20 +5,22 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.constants import arcsecond
+from scipy.constants import arcsecond, g
 
 from driftlab.book import figures
 from driftlab.book.ch11_kalman_calibration.experiments import STANDING
 from driftlab.book.ch12_calibration_consistency.experiments import (
+    ARM,
     TWELVE_TURNS,
+    arms_alone,
     on_reference_velocity,
     squared_errors,
 )
 from driftlab.book.machinery.figure.publish import PublishedFigure
-from driftlab.calibration import TurntableTrial
+from driftlab.calibration import TurntableTrial, innovation_test
 from driftlab.imu import ImuNoise, PriorStandardDeviations
 from driftlab.monte_carlo import mean_square_bounds
-from driftlab.motion.scheme import SCHEMES
+from driftlab.motion.scheme import SCHEMES, Scheme
 from published import published
 
 
@@ -131,3 +133,33 @@ def test_squares_of_a_log_fit_once_the_noise_is_small_enough(figure: PublishedFi
 @published("12-reference-velocity")
 def test_reference_velocity_draws_what_the_chapter_lists(figure: PublishedFigure) -> None:
     np.testing.assert_array_equal(figure.data.pair, on_reference_velocity().pair)
+
+
+@pytest.mark.slow
+def test_arms_bias_stays_in_size_while_it_grows_in_standard_deviations() -> None:
+    """5 to 10 µg for any reference velocity, and the range of the innovations below 0.1 mm/s."""
+    for scheme in SCHEMES.values():
+        _, noticed, worst, bias, _ = np.transpose(
+            [arms_alone(scheme, [ARM], velocity=each)[:, 0] for each in (1e-2, 1e-3, 1e-4, 1e-5)]
+        )
+        assert ((bias > 5e-6 * g) & (bias < 10e-6 * g)).all()
+        assert (np.diff(worst) > 0).all()
+        assert 1.25 < noticed[3] / noticed[2] < 1.45
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("scheme", SCHEMES.values(), ids=SCHEMES)
+def test_with_a_velocity_each_second_varying_biases_do_more_harm(scheme: Scheme) -> None:
+    vary = ImuNoise(accelerometer_bias_instability=5e-6 * g, accelerometer_correlation_time=600.0)
+    table = TurntableTrial(
+        scheme, sample_interval=0.1, keep=10**6, noise=vary, assumed_noise=ImuNoise()
+    )
+    constants, honest = (
+        replace(table, assumed_noise=each).run(np.random.default_rng(5), 12)
+        for each in (ImuNoise(), None)
+    )
+    assert 10 < constants.nees[:, -1].mean() / 27 < 16
+    assert np.mean(innovation_test(constants.calibration).verdict == "consistent") > 0.6
+    stated = (each.calibration.standard_deviations[0, -1, 15:18] for each in (honest, constants))
+    ratio = np.divide(*stated)
+    assert ((ratio > 6) & (ratio < 7.5)).all()
