@@ -1,10 +1,11 @@
 """How many runs show that a filter states its errors too small."""
 
 import numpy as np
-from scipy.stats import chi2
+from numpy.typing import ArrayLike
+from scipy.special import gammaincinv
 
 from driftlab.book.machinery.figure.data_table import DataTable
-from driftlab.checks import positive_number, whole_number
+from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.monte_carlo import mean_square_bounds
 
 MOST_RUNS = 200
@@ -26,7 +27,7 @@ def squared_errors(
     count = np.arange(1.0, runs + 1)
     so_far = each.cumsum() / count
     all_counts = np.arange(1.0, max(runs, MOST_RUNS) + 1)
-    low, high = (chi2.ppf(p, states * all_counts) / (states * all_counts) for p in (0.025, 0.975))
+    low, high = (_quantile(p, states * all_counts) for p in (0.025, 0.975))
     part = (np.arange(1.0, 200) - 0.5) / 199
     bounds = [bound / states for bound in mean_square_bounds(states, runs)]
     mean = float(so_far[-1])
@@ -40,7 +41,7 @@ def squared_errors(
             "bound_high": (high, "", "likewise"),
             "squared_error": (np.sort(each), "", "of one run, over expected"),
             "part_of_runs": ((count - 0.5) / runs, "", "with at most this squared error"),
-            "of_a_consistent_filter": (chi2.ppf(part, states) / states, "", "squared error"),
+            "of_a_consistent_filter": (_quantile(part, states), "", "squared error"),
             "part_expected": (part, "", "of the runs"),
             "expected": ([factor**2], "", "mean squared error to expect"),
         },
@@ -52,3 +53,9 @@ def squared_errors(
             "runs": (runs, "", "runs"),
         },
     )  # fmt: skip
+
+
+def _quantile(probability: ArrayLike, degrees: ArrayLike) -> FloatArray:
+    """Quantiles of a chi-square distribution over its degrees of freedom; no `scipy.stats`."""
+    half = np.asarray(degrees) / 2
+    return np.asarray(gammaincinv(half, probability) / half)
