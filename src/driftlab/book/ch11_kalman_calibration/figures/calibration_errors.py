@@ -12,7 +12,7 @@ WIDE = "abc;def;ghi;jkl;mno;pqr;stu"
 def caption(table: DataTable) -> str:
     """Say what is drawn of how many sensor errors."""
     return (
-        f"A unit on {table.positions} positions, published for the typical one: size of the "
+        f"A unit on {table.positions} positions (default: the typical unit): size of the "
         f"error of each of the {len(table.names)} sensor errors, and three standard deviations "
         "as the filter states them. A parameter becomes known when the right axis is turned or "
         "points up."

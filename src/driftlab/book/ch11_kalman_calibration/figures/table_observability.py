@@ -17,11 +17,11 @@ def caption(table: DataTable) -> str:
     )  # fmt: skip
     ratios = table.deviation_after_over_before
     return (
-        f"{len(table.names)} states on {table.positions} positions. Left: {zeros} zero but for "
-        "rounding (crosses). Right: what is left of the deviation of each sensor error; "
+        f"{len(table.names)} states on {table.positions} positions. Left: {zeros} zero to "
+        "rounding (crosses). Right: σ of each sensor error after the scheme, divided by its prior; "
         f"{np.count_nonzero(ratios < 0.1)} of {len(ratios)} become known to a tenth or better. "
-        "Published for all 30 states on the nineteen positions: there biases and scale errors "
-        "still become known; of the off-diagonal entries only combinations do."
+        "Defaults: all 30 states, nineteen positions; there biases and scale-factor errors still "
+        "become known, and of the off-diagonal entries only combinations."
     )
 
 

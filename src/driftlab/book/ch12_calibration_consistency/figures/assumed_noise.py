@@ -14,7 +14,7 @@ def caption(table: DataTable) -> str:
     most = f"{1e3 * float(np.max(table.reference_velocity[inside])):.2g}" if inside.any() else "no"
     return (
         "One log of a table that does not move, calibrated with one assumed reference velocity "
-        "after another. Left: mean squared innovation over expected, its bounds (dashed), and the "
+        "after another. Left: mean squared innovation over expected, its bounds (dotted), and the "
         f"correlation of neighbours. Up to {most} mm/s the squares are within their bounds. Right: "
         "stated 1σ and true error of the accelerometer biases, largest of three. With too large a "
         "reference velocity the filter states far more than it errs."

@@ -14,7 +14,7 @@ def caption(table: DataTable) -> str:
         "of each run, by size, and the chi-square distribution of a consistent filter. Right: "
         f"the mean over the runs so far, and its 95 % bounds. Over all runs it is {table.mean:.2f}"
         f" and should lie between {low:.2f} and {high:.2f}. Defaults: errors 1.1 times as large as "
-        "stated. No single run is conspicuous; the mean of some tens of runs is."
+        "stated. Hardly a single run is conspicuous; the mean of some tens of runs is."
     )
 
 

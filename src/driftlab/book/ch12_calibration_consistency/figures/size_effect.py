@@ -34,13 +34,13 @@ def caption(table: DataTable) -> str:
         f"Each accelerometer lies {arm / centi:g} cm out on its own axis; the filter takes a "
         f"reference velocity of {100 * TYPICAL_NOISE.reference_velocity:g} cm/s. Left: one "
         "typical unit on the nineteen positions; the filter of 27 states is wrong by up to "
-        f"{ratios[0].max():.0f} of its stated deviations, its mean squared innovation "
+        f"{ratios[0].max():.0f} stated σ, its mean squared innovation "
         f"is {table.innovations_over_expected[0]:.3f}; with the nine components of the arms as "
-        f"states the largest error is {ratios[1].max():.1f} deviations. Right: expected squares of "
+        f"states the largest error is {ratios[1].max():.1f} σ. Right: expected squares of "
         "the 21 sensor errors and of the innovations, over what they should be; the band ends "
         "where the mean innovation of one calibration would be too large at 95 %. On the nineteen "
         f"positions and on the eighteen rotations {arms[nearest] / centi:g} cm make an "
-        f"accelerometer bias wrong by {biases} stated deviations and the squares {squares} times "
+        f"accelerometer bias wrong by {biases} stated σ and the squares {squares} times "
         f"too large, while the innovations are {noticed} times what they should be."
     )
 

@@ -16,8 +16,8 @@ def caption(table: DataTable) -> str:
     return (
         f"{table.units} random units for each point, whose accelerometer biases vary with a "
         "correlation time of ten minutes. Left: squared errors of the states over expected. With "
-        f"{most:g} µg a filter of constants errs {squares[0]:.0f} times as much as it states if "
-        f"the reference velocity is {loose}, and {squares[1]:.0f} times if it is {still}. Right: "
+        f"{most:g} µg those of a filter of constants are {squares[0]:.0f} times too large if the "
+        f"reference velocity is {loose}, and {squares[1]:.0f} times if it is {still}. Right: "
         f"calibrations whose innovations are clean; with {loose} it is {clean:.0f} % of them even "
         "then."
     )
