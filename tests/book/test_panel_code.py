@@ -29,8 +29,10 @@ from panel_numbers.ch04 import turn_calibration
 from panel_numbers.ch05 import turns_on_earth
 from panel_numbers.ch06 import cayley_map
 from panel_numbers.ch07 import algorithm_laboratory
+from panel_numbers.ch09 import mission
+from panel_numbers.ch09 import mission
 from panel_numbers.ch10 import split_triad
-from panel_numbers.ch11 import calibration, mission, observability
+from panel_numbers.ch11 import calibration, observability
 from panel_numbers.ch12 import consistency
 from panel_numbers.ch17 import allan
 from panel_numbers.values import ABSENT, Values, axis_of, listed

@@ -15,11 +15,11 @@ from .ch07_coning.panels import (
 )
 from .ch07_coning.scenes import ShakingBracket as ShakingBracket
 from .ch07_coning.square import SquareThatDoesNotClose as SquareThatDoesNotClose
+from .ch09_strapdown_navigation.panels import MissionExplorer as MissionExplorer
 from .ch10_misalignment.panels import SplitExplorer as SplitExplorer
 from .ch10_misalignment.scenes import TwoTables as TwoTables
 from .ch11_kalman_calibration.panels import (
     CalibrationRunExplorer as CalibrationRunExplorer,
-    MissionExplorer as MissionExplorer,
     ObservabilityExplorer as ObservabilityExplorer,
 )
 from .ch11_kalman_calibration.scenes import TurningTable as TurningTable

@@ -5,7 +5,6 @@ import sympy as sp
 from driftlab.motion.scheme import Scheme
 
 _Q, _T = sp.symbols("q T", positive=True)
-_EN, _EU, _ELL = sp.symbols("e_N e_U ell", real=True)
 
 WRONG = {
     "11.1": [
@@ -43,14 +42,5 @@ WRONG = {
         ("adef", r"\(f\)"),
         ("ad", "something else is too"),
         ("bf", "^not yet. More than one statement"),
-    ],
-    "11.9": [
-        (-_EN * sp.cos(_ELL) - _EU * sp.sin(_ELL), "The sign"),
-        (_EN * sp.sin(_ELL) + _EU * sp.cos(_ELL), "exchanged"),
-        (_EN * sp.sin(_ELL) - _EU * sp.cos(_ELL), "comes back"),
-        ((_EN * sp.cos(_ELL) + _EU * sp.sin(_ELL)) * sp.cos(_ELL), "degree of longitude"),
-        (_EN / sp.cos(_ELL), "how it begins"),
-        (_EN + _EU * sp.tan(_ELL), "already"),
-        (_EN * sp.cos(_ELL) - _EU * sp.sin(_ELL), "sign of the vertical bias"),
     ],
 }

@@ -196,35 +196,4 @@ EXERCISES: dict[str, Exercise] = {
         },
         remark="A filter that knows something before may be sure of what it never sees.",
     ),
-    "11.9": Formula(
-        kind="compute",
-        arguments=("e_N", "e_U", "ell"),
-        draw=lambda rng: (*rng.uniform(-1e-7, 1e-7, 2), rng.uniform(-1.4, 1.4)),
-        right=lambda e_N, e_U, ell: e_N * np.cos(ell) + e_U * np.sin(ell),
-        mistakes={
-            "The sign: a gyro that shows too much turns the computed axes too far, ahead of the "
-            "Earth, and the computer believes that it moves East.": (
-                lambda e_N, e_U, ell: -(e_N * np.cos(ell) + e_U * np.sin(ell))
-            ),
-            "Sine and cosine are exchanged: at the equator the Earth's axis points North.": (
-                lambda e_N, e_U, ell: e_N * np.sin(ell) + e_U * np.cos(ell)
-            ),
-            "This is the component across the Earth's axis in the meridian. It goes round in a "
-            "day, and comes back.": lambda e_N, e_U, ell: e_N * np.sin(ell) - e_U * np.cos(ell),
-            "This is the speed to the East over the Earth's radius. A degree of longitude is "
-            "shorter than that.": (
-                lambda e_N, e_U, ell: (e_N * np.cos(ell) + e_U * np.sin(ell)) * np.cos(ell)
-            ),
-            "This is how it begins, for an hour or two. In the long run the vertical bias counts "
-            "as well.": lambda e_N, e_U, ell: e_N / np.cos(ell),
-            "You have divided by the cosine of the latitude. A rate about the Earth's axis is a "
-            "rate of the longitude already.": lambda e_N, e_U, ell: e_N + e_U * np.tan(ell),
-            "The sign of the vertical bias: North of the equator the Earth's axis points up, so "
-            "both biases turn the same way about it.": (
-                lambda e_N, e_U, ell: e_N * np.cos(ell) - e_U * np.sin(ell)
-            ),
-        },
-        remark="It is the part along the Earth's axis, the only one that a day does not turn "
-        "round. With a ratio of minus the tangent of the latitude nothing runs away.",
-    ),
 }

@@ -24,7 +24,6 @@ from .designed_schemes import (
     scheme_of as scheme_of,
 )
 from .error_growth import CAUSES as CAUSES, error_growth as error_growth
-from .mission import SETTABLE as SETTABLE, mission as mission
 from .scheme_run import scheme_run as scheme_run
 from .schemes import (
     DRAWN_ZERO as DRAWN_ZERO,

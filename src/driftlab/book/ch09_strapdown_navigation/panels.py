@@ -1,4 +1,4 @@
-"""Panel of a navigator at rest: what is left over in its sensors, and where that leads."""
+"""Panel of a navigator at rest: errors of its sensors and its start, and where they lead."""
 
 from typing import ClassVar
 
@@ -12,8 +12,8 @@ from driftlab.book.machinery.panel.results import Results
 from driftlab.book.machinery.panel.units import number_text
 from driftlab.book.scenarios import TABLE_LATITUDE
 
-from ..experiments import SETTABLE, mission
-from ..figures.mission import MissionPicture
+from .experiments import SETTABLE, mission
+from .figures.mission import MissionPicture
 
 GYRO_STOPS = (0.0, 0.001, 0.002, 0.005, 0.008, 0.01, 0.02, 0.05, 0.1, 0.5, 1.0, 5.0, 10.0)
 ACCELEROMETER_STOPS = (0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 500.0, 1000.0, 5000.0)
@@ -22,7 +22,7 @@ AZIMUTH_STOPS = (0.0, 0.1, 0.5, 1.0, 2.0, 5.0, 10.0, 60.0)
 
 
 class MissionExplorer(Explorer):
-    """What is left over in the sensors, and where it leads.
+    """Errors of the sensors and of the start, and where they lead.
 
     Eight causes of error at rest, carried to position and heading along a mission.
 
@@ -33,7 +33,7 @@ class MissionExplorer(Explorer):
         ``explorer.set(latitude=60.0)``, by the names that ``explorer.values`` shows.
     """
 
-    title = "From residual to mission"
+    title = "From sensor error to mission"
     picture_class = MissionPicture
     controls = (
         Control("gyro_east", "East, °/h", 0.01, stops=GYRO_STOPS, group="gyro bias"),
@@ -56,7 +56,7 @@ class MissionExplorer(Explorer):
             "gyro_north": 0.01, "gyro_up": 0.01, "push_east": 50.0, "push_north": 50.0,
             "tilt_east": 10.0, "tilt_north": 10.0, "azimuth": 2.0,
         },
-        "The chapter's residual": {
+        "A calibrated unit": {
             "gyro_east": 0.008, "gyro_north": 0.008, "gyro_up": 0.008, "push_east": 0.5,
             "push_north": 0.5, "tilt_east": 0.1, "tilt_north": 0.1, "azimuth": 2.0,
         },
@@ -71,16 +71,18 @@ class MissionExplorer(Explorer):
             "hours": 0.5,
         },
         "Foucault": {"gyro_east": 0.0, "tilt_north": 60.0, "latitude": 60.0, "hours": 14.0},
+        "100 µg": {"gyro_east": 0.0, "push_east": 100.0, "hours": 24.0},
         "A day and a night": {"hours": 48.0},
         "Without end": {"gyro_east": 0.0, "gyro_up": 0.01, "hours": 48.0},
     }  # fmt: skip
     look_for: ClassVar = {
         "0.01 °/h about East": "How many nautical miles an hour? Then try other latitudes.",
         "Navigation grade": "Which row is the largest after four hours? Set it to zero.",
-        "The chapter's residual": "Gyros of 0.008 °/h: is the mile an hour kept?",
+        "A calibrated unit": "Gyros of 0.008 °/h: does it keep one nautical mile an hour?",
         "Tactical grade": "After an hour: which sensor should be bought better?",
         "MEMS": "Half an hour. When is it farther off than a mile?",
         "Foucault": "The plane of the swing turns. Half a turn: after how many hours at 30°?",
+        "100 µg": "One accelerometer, one day. Where does it never go?",
         "A day and a night": "The error comes back. When, and what does the slow curve do?",
         "Without end": "One curve goes on and on. Which of the three gyro biases does not do this?",
     }
@@ -128,3 +130,7 @@ class MissionExplorer(Explorer):
             "east, north = static_errors(times, latitude, causes).position[0] / 1852\n"
             "print(east, north)  # nautical miles"
         )
+
+
+PANELS = (MissionExplorer,)
+"""Chapter 09."""

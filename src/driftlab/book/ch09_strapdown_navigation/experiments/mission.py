@@ -1,4 +1,4 @@
-"""Where constant residuals lead: position along hours of rest, by cause and by mode."""
+"""Where constant errors lead: position along hours of rest, by cause and by mode."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""From residual to mission: position over time, and the way on the map."""
+"""Position over time, and the way on the map."""
 
 import numpy as np
 from matplotlib.ticker import MaxNLocator
