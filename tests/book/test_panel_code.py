@@ -30,7 +30,6 @@ from panel_numbers.ch05 import turns_on_earth
 from panel_numbers.ch06 import cayley_map
 from panel_numbers.ch07 import algorithm_laboratory
 from panel_numbers.ch09 import mission
-from panel_numbers.ch09 import mission
 from panel_numbers.ch10 import split_triad
 from panel_numbers.ch11 import calibration, observability
 from panel_numbers.ch12 import consistency
