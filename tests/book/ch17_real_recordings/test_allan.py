@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy.constants import arcsecond
 
 from driftlab.book.ch17_real_recordings.experiments import allan_lines as lines
 from driftlab.book.machinery.figure.publish import PublishedFigure
@@ -26,13 +25,26 @@ def test_the_slope_of_the_laser_gyro_is_the_car_and_not_its_pulses(
 ) -> None:
     data = figure.data
     angle = data.dear_terms[0]
-    assert angle > 100 * lines.ROUNDING
+    assert angle > 12 * lines.ROUNDING
     assert angle == pytest.approx(data.rocking, rel=0.1)
     assert data.missed[0] > 3
     assert data.missed[1] < 1.5
-    # At the shortest time the gyro itself is quieter than the car: its own angle is no worse.
+    # At the shortest time, before the car has rocked, the angle is no worse than rounding makes it.
     own = data.dear_deviation[0] * data.dear_time[0] / np.sqrt(3)
-    assert own < 0.2 * arcsecond
+    assert own < lines.ROUNDING
+
+
+def test_between_zeros_the_laser_gyros_counts_add_up_to_whole_pulses() -> None:
+    """Of all sums 15 % would lie within 0.7 counts of a whole number of pulses by chance."""
+    counts = np.round(recording_or_skip(lines.DEAR).gyro / lines.COUNT)
+    pulse = lines.PULSE / lines.COUNT
+    for gyro in counts.T:
+        zeros, added = np.flatnonzero(gyro == 0), np.append(0, np.cumsum(gyro))
+        length = np.diff(zeros)
+        sums = (added[zeros[1:]] - added[zeros[:-1]])[(length > 1) & (length < 10)]
+        off = np.abs(sums - pulse * np.round(sums / pulse))
+        assert len(sums) > 15_000
+        assert (off < 0.7).mean() > 0.995
 
 
 @published("17-allan-plots")

@@ -29,8 +29,11 @@ DEAR, QUIET = "laser-gyro", (1050.0, 1490.0)
 CHEAP_FROM, DEAR_FROM = 0.1, 1.0
 """Shortest averaging times in the fits, s. Below, the cheap gyro's spectrum has a hump near 10 Hz,
 in all five units and of unknown origin, and under the dear one the car is seen to rock."""
-PULSE = 0.1 * arcsecond
-"""Angle that one pulse of the laser gyro stands for."""
+COUNT = 0.1 * arcsecond
+"""Angle of one count in the laser gyro's file."""
+PULSE = 28 / 3 * COUNT
+"""Angle of one of its pulses. The file spreads a pulse over neighbouring samples: between two
+readings of zero the counts of each gyro add up to a whole number of pulses."""
 ROUNDING = PULSE / np.sqrt(12)
 """Standard deviation of an angle that is rounded to whole pulses."""
 ROCKING = (0.5, 5.0)

@@ -78,7 +78,8 @@ def _allan_caption(data: DataTable) -> str:
         says.append(
             "The dear one's line of slope −1 stands for an angle that is off by "
             f"{data.dear_terms[0] / arcsecond:.1f} arc seconds and does not add up. The rounding "
-            f"of its pulses is {lines.ROUNDING / arcsecond:.3f}; the car rocks by "
+            f"of its pulses of {lines.PULSE / arcsecond:.2f} is "
+            f"{lines.ROUNDING / arcsecond:.2f}; the car rocks by "
             f"{data.rocking / arcsecond:.1f}. Without that line the best fit misses a point by a "
             f"factor of {data.missed[0]:.1f}, with it by {data.missed[1]:.1f}."
         )

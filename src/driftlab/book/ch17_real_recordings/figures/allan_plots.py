@@ -1,6 +1,5 @@
 """Allan plots of a cheap and a dear gyro, with the lines of their noise labelled where they run."""
 
-import numpy as np
 from matplotlib import rcParams
 from matplotlib.axes import Axes
 from scipy.constants import arcsecond
@@ -39,13 +38,10 @@ def draw(drawing: Drawing) -> None:
         panel.set_ylabel("Allan deviation, °/h")
     words = "rounding of its pulses"
     drawing.curve(dear, "rounding_time", "rounding", color=GREY, linestyle=":", label=words)
-    x, y = 0.0125, 1.3  # along the line, which falls as 1 / x
-    dear.text(x, y, f"{words} of {PULSE / arcsecond:.1f}″", color=GREY,
-              fontsize="small", rotation=-np.degrees(np.arctan2(y, x)), rotation_mode="anchor",
-              transform_rotates_text=True)  # fmt: skip
     for panel, words, tip, place in (
         (cheap, "a hump near 10 Hz", (0.02, 230), (0.06, 800)),
         (dear, "the car rocks", (0.13, 62), (0.7, 240)),
+        (dear, f"rounding of pulses\nof {PULSE / arcsecond:.2f}″", (0.85, 0.55), (0.012, 0.4)),
     ):
         panel.annotate(words, tip, place, fontsize="small",
                        arrowprops={"arrowstyle": "-", "color": GREY})  # fmt: skip
