@@ -10,6 +10,9 @@ from urllib.parse import unquote
 DOCS = [f"docs/{path.stem}" for path in sorted(Path(__file__).parents[1].glob("docs/*.md"))]
 """Pages for users: every Markdown file in docs, under its own name."""
 DOCS.sort(key=lambda name: name != "docs/using")  # the first that a reader needs
+NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
+COMPANIONS = [f"papers/{path.stem}" for path in sorted(NOTEBOOKS.glob("papers/*.ipynb"))]
+"""One notebook for each paper, in the order of the book, which is that of the alphabet."""
 PAGES = {"ERRATA.md": "errata", "README.md": "index", "figures/README.md": "gallery/index"}
 PAGES |= {f"{name}.md": name for name in DOCS}
 """Pages of files that are no notebooks; a notebook's page has its name."""

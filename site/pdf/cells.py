@@ -40,14 +40,13 @@ SAID_TO_THE_READER = ("You had it", "Your first guess", "The section that helps"
 ON_PAPER = (
     (r"What stands under this heading is folded away[^\n]*", ""),
     (
-        r"In a notebook, put your answer in place of the three dots.*? The worked (\[.*)",
-        "Each exercise stands by itself, so begin where you like. *Predict* is for a guess, "
-        "written down before you compute. *Slide* wants the panel, in the notebook or on the web "
-        "page of this chapter; there, too, answers are checked, and hints unfold. "
-        r"The worked \1",
+        r"Put your answer in place of the three dots and run the cell\. (\[How exercises work\])",
+        r"Answers are checked in the notebook, or on the web page of this chapter. \1",
     ),
-    ("Unfold the section below", "Read the section below"),
-    ("he folded section below", "he section below"),
+    (
+        r"In a notebook, put it in place of the three dots and run the cell; on a web page, [^.]*\.",
+        "Answers are checked in the notebook, or on the web page of the chapter.",
+    ),
 )
 """What the text says of a screen, and what it says here."""
 STATEMENTS = re.compile(r"(?:^- \([a-z]\) .*\n?)+", re.M)

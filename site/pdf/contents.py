@@ -13,7 +13,6 @@ OF_EVERY_CHAPTER = (
     "Guessed? Then compute it",
     "What you will be able to do",
     "Reproduce",
-    "In your textbook",
     "Read on",
 )
 """Headings that the table of contents leaves out; the bookmarks have them."""
@@ -58,10 +57,12 @@ PARTS = (
         "Appendices",
         "",
         (
+            "sensors",
             "conventions",
             "i_want_to",
             "lab_sheet",
             "many_runs",
+            "bibliography",
             "for_instructors",
             "for_your_course",
             "solutions/",

@@ -13,7 +13,7 @@ from pathlib import Path
 from nbformat import NotebookNode
 from sphinx.cmd.build import main as sphinx
 
-from addresses import DOCS, PAGES, file_of
+from addresses import COMPANIONS, DOCS, PAGES, file_of
 from reading.api_pages import api_pages
 from reading.landing import script_of_landing, still_of_landing
 from reading.links import with_links
@@ -72,9 +72,7 @@ def pages(book: NotebookPages, pdf_size: int) -> dict[str, str]:
     """Return the text of every page that is no notebook, by its file's name."""
     found = {f"{name}.rst": text for name, text in api_pages().items()}
     found |= {f"{name}.md": text for name, text in ledger_pages().items()}
-    notation = text_of(
-        ROOT, "19_ledger_and_glossary.ipynb", "## One notation", "## What the book cites"
-    )
+    notation = text_of(ROOT, "19_ledger_and_glossary.ipynb", "## One notation", "## Read on")
     found["chapters.md"] = chapters_page(ROOT)
     found["glossary.md"] = f"# Notation and glossary\n\n{notation}"
     found["errata.md"] = (ROOT / "ERRATA.md").read_text("utf-8")
@@ -110,10 +108,11 @@ def _contents() -> str:
     first = next(iter(lists))
     lists[first].insert(0, "chapters")
     lists["Using it"] = DOCS
-    lists["Aside"] = ["i_want_to", "lab_sheet", "many_runs", "solutions/index"]
+    lists["The papers, read closely"] = COMPANIONS
+    lists["Aside"] = ["sensors", "i_want_to", "lab_sheet", "many_runs", "solutions/index"]
     lists["Aside"] += ["for_instructors", "for_your_course"]
     lists["To look things up"] = ["reference/index", "conventions", "glossary", "ledger/index"]
-    lists["To look things up"] += ["gallery/index", "errata", "changes"]
+    lists["To look things up"] += ["gallery/index", "bibliography", "errata", "changes"]
     return "".join(
         contents(names, ":hidden:", f':caption: "{caption}"') for caption, names in lists.items()
     )

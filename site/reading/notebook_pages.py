@@ -53,7 +53,7 @@ def notebook_pages(
         elif chapter or folder:
             _add_places(cells, number or name.removesuffix(".ipynb").split("_")[0])
         cells = [*_shown(cells, name, outputs)]
-        if not folder:
+        if folder != "solutions":
             _add_ways(cells[0], name, chapter)
         # Without the state of its widgets, which live in a kernel only.
         metadata = {"kernelspec": notebook.metadata["kernelspec"]}
@@ -107,9 +107,10 @@ def _cell(kind: str, source: str, **more: Any) -> NotebookNode:
 def _add_ways(first: NotebookNode, name: str, chapter: Chapter | None) -> None:
     """Say below the title how long a chapter takes, and how else one can have the notebook."""
     ways = [f"{chapter.minutes} minutes"] if chapter else []
+    up = "../" * name.count("/")
     ways += [
-        f'<a href="{live_address(name)}">Run the whole notebook live</a>',
-        f'<a href="{PDF}">The book as PDF</a>',
+        f'<a href="{up}{live_address(name)}">Run the whole notebook live</a>',
+        f'<a href="{up}{PDF}">The book as PDF</a>',
     ]
     line = f'<p class="ways">{" · ".join(ways)}</p>'
     first.source = HEADING.sub(rf"\g<0>\n\n{line}\n", first.source, count=1)

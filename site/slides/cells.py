@@ -1,7 +1,8 @@
 """What of a chapter stands on its slides.
 
-Pictures stand in for panels and scenes; readings that the book folds, links that lead into the
-book's folder, and every word of the solutions stay out. What a lecturer says comes as notes.
+Pictures stand in for panels and scenes. What the book folds stays out, except for the answer to the
+puzzle; so do the cells that only check the book, links into its folder, and the solutions. What a
+lecturer says comes as notes.
 """
 
 from __future__ import annotations
@@ -21,18 +22,19 @@ from executed import FOLDER
 
 NOTES: dict[str, str] = tomllib.loads(Path(__file__).with_name("notes.toml").read_text("utf-8"))
 """What a lecturer may ask and say, by the id of the cell at which to say it."""
-FOLDED = re.compile(r"#+ For (?:readers of the paper|a second reading)\b")
+FOLDED = "jp-MarkdownHeadingCollapsed"
+"""JupyterLab's mark at a cell whose section is folded."""
+ANSWER = "### Guessed?"
+"""How the folded answer to the puzzle begins."""
 HEADING = re.compile(r"(#+) ")
 LINK = re.compile(r"(?<!!)\[([^]]*)\]\((?!https?:)[^)\s]*\)")
 PICTURE = re.compile(r"!\[([^]]*)\]\(([^)\s]*\.svg)\)")
-SOLUTION = re.compile(r" The worked \[solutions\]\([^)]*\) are for afterwards\.")
-IN_A_NOTEBOOK = re.compile(r"In a notebook, put your answer .*?may be too coarse\. ", re.S)
+IN_A_NOTEBOOK = re.compile(r"Put your answer in place of the three dots .*?\[Worked .*?\)\.", re.S)
 """How to answer an exercise, which a reader needs and a class does not."""
-FOLDED_TOO = re.compile(r"; [^.;]*\bfolded\b[^.;]*(?=\.)")
 FOLDING = re.compile(
     r"(?:^|(?<=[.?] ))(?=[A-Z])[^.?]*\b(?:[Uu]nfold|[Ff]olded)\b[^.?]*\.(?: |$)", re.M
 )
-"""Half a sentence, or a whole one, on what is folded in the book and left out here."""
+"""A sentence on what is folded in the book."""
 WIDGET = "application/vnd.jupyter.widget-view+json"
 LIVE = '<figcaption class="live">Live in the book.</figcaption>'
 STILL = re.compile(r'<style>.*?</style><figure class="driftlab-still".*?(<img.*?>).*', re.S)
@@ -46,7 +48,8 @@ def on_slides(notebook: NotebookNode) -> NotebookNode:
         heading = HEADING.match(cell.source) if cell.cell_type == "markdown" else None
         level = len(heading[1]) if heading else 0
         if level and (not folded or level <= folded):
-            folded = level if FOLDED.match(cell.source) else 0
+            hidden = cell.metadata.get(FOLDED) and not cell.source.startswith(ANSWER)
+            folded = level if hidden else 0
         kind = cell.metadata.get("slideshow", {}).get("slide_type", "-")
         if kind == "subslide" and not heading:
             kind = "-"  # which slide it comes to is a matter of room
@@ -71,7 +74,7 @@ def has_still(cell: NotebookNode) -> bool:
 
 def _text(cell: NotebookNode) -> NotebookNode:
     source = outside_a_notebook(cell.source)
-    for left_out in (IN_A_NOTEBOOK, FOLDED_TOO, FOLDING, SOLUTION):
+    for left_out in (IN_A_NOTEBOOK, FOLDING):
         source = left_out.sub("", source)
     source = PICTURE.sub(_inlined, LINK.sub(r"\1", source))
     made = copy(cell)

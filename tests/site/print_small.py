@@ -26,7 +26,7 @@ TEXT = " ".join(["A sentence that is written to fill a page."] * 60)
 WAITS = "<div role='status'>Exercise 3.1: not answered yet.</div>"
 ASKED = ("03", f"notebooks/{CHAPTER}", "lab_sheet", "solutions/03")
 REFUSED = (
-    ["14"],
+    ["20"],
     ["--exercises"],
     ["19", "--exercises"],
     ["0"],

@@ -15,6 +15,7 @@ KINDS = (
     "index",
     "11_kalman_calibration",
     "solutions/07_coning",
+    "papers/larin",
     "ledger/larin",
     "reference/index",
     "reference/modules/calibration.filter",
@@ -140,12 +141,3 @@ def test_a_chapter_is_read_on_a_phone(address, page):
     picture.click()
     page.wait_for_url(f"**/{file}")
     assert page.complaints == []
-
-
-@browser
-def test_a_link_into_a_folded_section_unfolds_it(site, page):
-    page.goto(
-        (site / "06_attitude_in_three_numbers.html").as_uri() + "#chapter-06-the-matrix-of-1-6"
-    )
-    page.locator("h4", has_text="The matrix of (1.6)").wait_for(state="visible")
-    assert page.locator("details.folded[open]").count() == 1

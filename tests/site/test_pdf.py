@@ -13,7 +13,8 @@ from pdf.pictures import plain_svg
 from support import ROOT
 
 pytestmark = pytest.mark.xdist_group("site-pdf")
-NOTEBOOKS = sorted((ROOT / "notebooks").glob("[!.]*.ipynb"))
+FOLDER = ROOT / "notebooks"
+NOTEBOOKS = sorted([*FOLDER.glob("[!.]*.ipynb"), *FOLDER.glob("papers/[!.]*.ipynb")])
 CODE_FONT = "DejaVuSansMono"
 RAW = re.compile(r"\\[a-zA-Z]{2,}|\$\S|</?(?:details|summary|br|div|span|style)\b|&nbsp;")
 SIDES = 50, 545
@@ -71,11 +72,11 @@ def test_every_heading_is_a_bookmark_and_every_link_leads_somewhere(book):
     toc = list(book.get_toc(max_depth=9))
     assert all(mark.get_dest() is not None for mark in toc)
     marks = {words(mark.get_title()) for mark in toc}
-    for notebook in [*NOTEBOOKS, *sorted((ROOT / "notebooks/solutions").glob("*.ipynb"))]:
+    for notebook in [*NOTEBOOKS, *sorted(FOLDER.glob("solutions/*.ipynb"))]:
         for heading in re.findall(r"^#{1,3} (.*)$", cells_of(notebook, "markdown"), re.M):
             if "$" not in heading and heading != "Drift Lab":
                 assert words(heading) in marks, (notebook.name, heading)
-    assert {"00Starthere", "PartIVFromthedrifttotheheading", "Errataofthefourpapers"} <= marks
+    assert {"00Starthere", "PartIVFindingNorth", "Errataofthefourpapers"} <= marks
     links = list(links_of(book))
     assert sum(inside for inside, _ in links) > 500
     assert all(inside or address.startswith(b"https://") for inside, address in links)

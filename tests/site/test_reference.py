@@ -10,6 +10,7 @@ from numpydoc.docscrape import ClassDoc, FunctionDoc
 
 from driftlab.book.references import all_references
 from reading.doors import BOOK, DOORS, aliases, documented, first_door, home, names, thing
+from reading.papers import entries_by_home, place_label
 
 pytestmark = pytest.mark.xdist_group("site")
 
@@ -77,7 +78,10 @@ def test_a_page_has_formulas_outputs_values_and_the_papers(page):
     entry = entry[: entry.index("</dd></dl>")]
     for part in ("array([0.02, 0.", "In the papers", "ledger/larin.html#ledger-larin-"):
         assert part in re.sub(r"<[^a][^>]*>", "", entry), part
-    assert "03_systematic_drift.html#chapter-03-only-the-symmetric-part" in entry
+    places = [
+        place_label(each) for each in entries_by_home()[home("driftlab.drift.drift_coefficient")]
+    ]
+    assert all(f'#{place}"' in entry for place in places)
     assert 'class="math' in entry
     assert "7.292" in re.sub(r"<[^>]*>", "", page("modules/earth"))
     index = set(re.findall(r'title="driftlab\.([\w.]+)"', page("index")))
