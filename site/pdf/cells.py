@@ -44,7 +44,7 @@ ON_PAPER = (
         r"Answers are checked in the notebook, or on the web page of this chapter. \1",
     ),
     (
-        r"In a notebook, put it in place of the three dots and run the cell; on a web page, [^.]*\.",
+        r"In a notebook, put it in place of the three dots and run the cell; on a [^.]*\.",
         "Answers are checked in the notebook, or on the web page of the chapter.",
     ),
 )

@@ -109,8 +109,8 @@ def _contents() -> str:
     lists[first].insert(0, "chapters")
     lists["Using it"] = DOCS
     lists["The papers, read closely"] = COMPANIONS
-    lists["Aside"] = ["sensors", "i_want_to", "lab_sheet", "many_runs", "solutions/index"]
-    lists["Aside"] += ["for_instructors", "for_your_course"]
+    lists["Appendices"] = ["sensors", "i_want_to", "lab_sheet", "many_runs", "solutions/index"]
+    lists["Appendices"] += ["for_instructors", "for_your_course"]
     lists["To look things up"] = ["reference/index", "conventions", "glossary", "ledger/index"]
     lists["To look things up"] += ["gallery/index", "bibliography", "errata", "changes"]
     return "".join(

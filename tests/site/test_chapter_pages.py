@@ -48,9 +48,7 @@ def attributes(text, tag):
 
 
 def test_every_notebook_is_a_page_with_its_title_and_its_folds(sources, pages):
-    assert [name.removesuffix(".ipynb") for name in CHAPTERS] == [
-        row.page for row in chapters(ROOT)
-    ]
+    assert [f"{row.page}.ipynb" for row in chapters(ROOT)] == CHAPTERS
     for name, cells in sources.items():
         title = next(cell.source for cell in cells if cell.source.startswith("# "))
         shown = re.sub(r"<[^>]*>", "", re.search(r"<h1>(.*?)<a", pages[name])[1])
