@@ -58,6 +58,14 @@ def test_every_notebook_is_a_page_with_its_title_and_its_folds(sources, pages):
             assert pages[name].count('<details class="folded">') == len(folded), name
 
 
+def test_cells_that_only_check_the_book_are_on_no_page(sources, pages):
+    for name, cells in sources.items():
+        text = html.unescape(re.sub(r"<[^>]*>", "", pages[name]))
+        for cell in cells:
+            if cell.metadata.get("jupyter", {}).get("source_hidden"):
+                assert cell.source.splitlines()[-1] not in text, cell.id
+
+
 def test_nothing_is_left_raw(pages):
     for name, text in pages.items():
         seen = text[text.index("<article") : text.index("</article>")]
