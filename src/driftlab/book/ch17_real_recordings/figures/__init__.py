@@ -31,30 +31,29 @@ def _parked_car_caption(data: DataTable) -> str:
     means, two, carried = (experiments.spread(row) for row in data.restarts)
     longer = experiments.spread(data.longer[2])
     return (
-        "A ring-laser unit on a car that stands, with engine and people on board. "
-        f"{data.restarts.shape[1]} times {data.lengths[0]:g} s of one record, not switched off "
-        "between: headings from means of the gyros have a standard deviation of "
-        f"{np.degrees(means.deviation):.1f} degrees; with gravity seen in inertial space "
-        f"{np.degrees(carried.deviation):.3f}, a range of {np.degrees(carried.reach):.2f}, and "
-        "no stretch is lost. "
-        f"{data.longer.shape[1]} times {data.lengths[1]:g} s: {np.degrees(longer.deviation):.3f}. "
-        "Two velocities in place of all give "
-        f"{np.degrees(two.deviation):.2f} for {data.lengths[0]:g} s. "
-        f"Bars on the right are intervals of 95 %. {_credit('laser-gyro')}"
+        "Headings of a parked car with engine and people on board, from a ring-laser unit that was "
+        f"not switched off. {data.restarts.shape[1]} stretches of {data.lengths[0]:g} s: from "
+        "means of the gyros they have a standard deviation of "
+        f"{np.degrees(means.deviation):.1f} degrees; by inertial-frame alignment "
+        f"{np.degrees(carried.deviation):.3f} and a range of {np.degrees(carried.reach):.2f} "
+        f"degrees; from two velocities instead of all {np.degrees(two.deviation):.2f}. "
+        f"{data.longer.shape[1]} stretches of {data.lengths[1]:g} s have "
+        f"{np.degrees(longer.deviation):.3f}. Bars on the right are 95 % intervals. "
+        f"{_credit('laser-gyro')}"
     )
 
 
 def _five_units_caption(data: DataTable) -> str:
     with_it, without = data.shown(f"angle_left, {experiments.UNIT_NAMES[experiments.ODD]}")[1:3]
     return (
-        "Does a published table follow from its data? By the authors' own rule for a rest it "
-        "does: no entry of five gyro matrices is off by more than "
-        f"{_up(data.largest_difference[:, 0])}. With unit {experiments.ODD + 1} the rule also "
-        f"finds a rest of {data.pause[1] - data.pause[0]} samples in a hand that still settles; "
-        f"without it what is left falls from {with_it:.2f} to {without:.2f} degrees, and the "
+        "Does a published table follow from its data? By the authors' own rule for static "
+        "intervals it does: no entry of five gyro matrices differs by more than "
+        f"{_up(data.largest_difference[:, 0])}. For unit {experiments.ODD + 1} the rule also "
+        f"finds an interval of {data.pause[1] - data.pause[0]} samples in a moving hand. Without "
+        f"it the residual falls from {with_it:.2f} to {without:.2f} degrees, and the "
         f"matrix moves by {data.moved:.4f}: entry by entry up to {data.moved_in_deviations[0]:.1f} "
-        f"standard deviations of the fit with that rest, and {data.moved_in_deviations[1]:.1f} of "
-        "the fit without. "
+        f"standard deviations of the fit with it, {data.moved_in_deviations[1]:.1f} of the fit "
+        "without. "
         f"{_credit(experiments.UNITS[0])}"
     )
 
@@ -68,27 +67,27 @@ def _allan_caption(data: DataTable) -> str:
         "(dashes: upper bounds of those that are not seen)."
     ]
     if walks[0] > 0:
-        says.append(f"The cheap one walks by {walks[0]:.1f} degrees in the root of an hour.")
+        says.append(f"The cheap one has an angle random walk of {walks[0]:.1f} °/√h.")
     if np.isfinite(bound := data.cheap_bounds[2] / (degree / hour)):
         says.append(
-            f"A rest of {data.cheap_length:.0f} seconds only says that its bias instability is "
-            f"below {bound:.0f} degrees per hour."
+            f"{data.cheap_length:.0f} seconds only show that its bias instability is "
+            f"below {bound:.0f} °/h."
         )
     if data.dear_terms[0] > 0:
         says.append(
-            "The dear one's line of slope −1 stands for an angle that is off by "
-            f"{data.dear_terms[0] / arcsecond:.1f} arc seconds and does not add up. The rounding "
-            f"of its pulses of {lines.PULSE / arcsecond:.2f} is "
+            "The dear one's line of slope −1 is an angle error of "
+            f"{data.dear_terms[0] / arcsecond:.1f} arc seconds that does not accumulate. The "
+            f"rounding of its pulses of {lines.PULSE / arcsecond:.2f} is "
             f"{lines.ROUNDING / arcsecond:.2f}; the car rocks by "
             f"{data.rocking / arcsecond:.1f}. Without that line the best fit misses a point by a "
             f"factor of {data.missed[0]:.1f}, with it by {data.missed[1]:.1f}."
         )
     if walks[1] > 0:
         says.append(
-            f"Its line of slope −½, a walk by {walks[1]:.3f}, bounds the gyro from above and is no "
-            f"finding about it: the same fit has {forward[0]:.3f} for the forward gyro beside it, "
-            f"to which the headings of the car allow no more than {forward[1]:.4f}; a car that "
-            "leans slowly draws such a line."
+            f"Its line of slope −½, {walks[1]:.3f} °/√h, is an upper bound for the gyro, not a "
+            f"finding: the same fit gives {forward[0]:.3f} for the forward gyro, for which the "
+            f"headings of the car allow at most {forward[1]:.4f}. A slowly tilting car draws such "
+            "a line."
         )
     return f"{' '.join(says)} {_credit('mpu9150-1')} {_credit('laser-gyro')}"
 
@@ -101,16 +100,16 @@ FIGURES = (
         lambda data: (
             "A unit on a table, turned once about each axis by hand. Added up, the angles of the "
             f"two gyros across the axis reach {data.shown('added_up'):.1f} "
-            "degrees (open marks). As a rotation they go round a circle and come back to "
-            f"{data.shown('come_back'):.1f} degrees of where they began "
-            "(filled): what stands across the axis adds up to nothing. What is left along the "
-            f"axis is Larin's estimate, {', '.join(f'{x:.5f}' for x in data.estimate)}, from rest "
-            "to rest. The publishers' sections are shorter and move it by up to "
-            f"{_up(data.estimate - data.by_sections)}; from these Ferraris's diagonal "
-            f"differs by at most {_up(data.by_sections - data.ferraris)}: the two "
-            "share their cut. On the right, by how much each source may move an estimate; the "
-            "heading at the end no sensor saw, and a standard deviation of "
-            f"{data.shown('stop_standard_deviation'):.1f} degrees is assumed for it. "
+            "degrees (open marks). As rotations they go round a circle and come back within "
+            f"{data.shown('come_back'):.1f} degrees (filled marks). The error along the axis is "
+            "Larin's estimate of the scale-factor error, "
+            f"{', '.join(f'{x:.5f}' for x in data.estimate)}, between static intervals. The "
+            "publishers' shorter sections move it by up to "
+            f"{_up(data.estimate - data.by_sections)}; the diagonal of Ferraris's method, from the "
+            f"same sections, differs by at most {_up(data.by_sections - data.ferraris)}. On the "
+            "right, the standard deviation that each source adds; no sensor measures the heading "
+            f"at the stop, for which {data.shown('stop_standard_deviation'):.1f} degrees are "
+            "assumed. "
             f"{_credit('ferraris-session')}"
         ),
         recordings=("ferraris-session",),
@@ -120,16 +119,16 @@ FIGURES = (
         experiments.two_calibrations,
         two_calibrations.draw,
         lambda data: (
-            "One record of one unit, calibrated and published twice. Drawn are the sensitive axes "
-            f"as published, errors {two_calibrations.MAGNIFIED} times too large. The gyro matrices "
-            f"differ by up to {np.abs(np.diff(data.published_gyro, axis=0)).max():.4f}. A rotation "
-            f"of the body axes by {np.degrees(np.linalg.norm(data.rotation)):.2f} degrees carries "
-            "all of the first into the second, within "
-            f"{np.abs(data.carried[0] - data.published_gyro[1]).max():.0e}: the two triads stand "
-            "to each other the same way in both. On the right, what is left after each of "
-            f"{len(data.move)} moves, fitted anew by IMU-TK's method; the gyro matrix comes "
-            f"within {_up(data.gyro - data.published_gyro)} of the published one, its own "
-            f"deviation being up to {data.deviation.max():.0e}. {_credit('xsens-mti')}"
+            "One record of one unit, calibrated and published twice. Drawn are the input axes as "
+            f"published, with errors {two_calibrations.MAGNIFIED} times too large. The gyro "
+            f"matrices differ by up to {np.abs(np.diff(data.published_gyro, axis=0)).max():.4f}. A "
+            f"rotation of the body axes by {np.degrees(np.linalg.norm(data.rotation)):.2f} degrees "
+            "carries all of the first into the second, within "
+            f"{np.abs(data.carried[0] - data.published_gyro[1]).max():.0e}: relative to each other "
+            "the two triads are the same. On the right, the tilt error after each of "
+            f"{len(data.move)} moves in our fit by IMU-TK's method; its gyro matrix is "
+            f"within {_up(data.gyro - data.published_gyro)} of the published one, with standard "
+            f"deviations up to {data.deviation.max():.0e}. {_credit('xsens-mti')}"
         ),
         recordings=("xsens-mti",),
     ),
