@@ -23,8 +23,8 @@ from slides.written import written_slides
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 SLIDES = ROOT / "_slides"
-NO_SLIDES = ("18", "19")
-"""The chapters to read further and to look things up."""
+NO_SLIDES = "19"
+"""The chapter that is for looking up."""
 
 
 def main(arguments: list[str]) -> int:
@@ -50,7 +50,7 @@ def main(arguments: list[str]) -> int:
 def chapters() -> dict[str, str]:
     """Return the names of the notebooks that have slides, by the number of the chapter."""
     numbered = {name[:2]: name for name in notebooks() if name[:2].isdigit()}
-    return {number: name for number, name in numbered.items() if number not in NO_SLIDES}
+    return {number: name for number, name in numbered.items() if number != NO_SLIDES}
 
 
 def slides(notebook: NotebookNode, name: str, code: bool = False) -> str:
