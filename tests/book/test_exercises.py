@@ -47,7 +47,7 @@ def words_on(answer):
     return f"Because it looks so: {answer!r}."
 
 
-def test_chapters_have_three_or_more_of_several_kinds_in_order():
+def test_chapters_have_three_or_more_in_order():
     chapters = {number.split(".")[0] for number in EXERCISES}
     assert chapters == {str(chapter) for chapter in range(1, 19)}
     for chapter in chapters:
@@ -56,7 +56,7 @@ def test_chapters_have_three_or_more_of_several_kinds_in_order():
         whole = [n for n in numbers_of if not n[-1].isalpha()]  # 3.3a may follow 3.3
         assert whole == [f"{chapter}.{i}" for i in range(1, len(whole) + 1)]
         assert len(numbers_of) >= 3
-        assert len({EXERCISES[n].kind for n in numbers_of}) >= 3
+        assert len({EXERCISES[n].kind for n in numbers_of}) >= 2
 
 
 @cache

@@ -47,6 +47,7 @@ def draw(drawing: Drawing) -> None:
                 panel.plot(*np.stack([here, tip], axis=1), color=color, linestyle=style)
                 if style == "-":
                     x, y = here + 1.06 * way
-                    place_of = {"ha": "left", "va": "center"} if name == "Up" else {"ha": "center"}
-                    panel.text(x, y, f" {name}", **place_of)
+                    side = "left" if name == "Up" else "center"
+                    level = "center" if name == "Up" else "baseline"
+                    panel.text(x, y, f" {name}", ha=side, va=level)
         panel.plot(*here, color=BLACK, marker="s", markersize=5)

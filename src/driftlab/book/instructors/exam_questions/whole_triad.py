@@ -43,7 +43,7 @@ def three_parts(draw: Generator) -> Question:
         draw,
         rf"""
         10, 8 minutes: Three parts of one matrix
-        take an error matrix apart into scale, non-orthogonality and misalignment
+        split an error matrix into scale factors, non-orthogonality and misalignment
 
         The gyros of a box measure $(I + K)\,\omega$ with $K = {matrix(entries)}$ arc seconds.
 
