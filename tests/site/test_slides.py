@@ -10,12 +10,13 @@ import pytest
 from executed import KEPT
 from slides.cells import NOTES, on_slides
 from slides.make import chapters, main
+from slides.written import FOLDER as WRITTEN, SHOWN
 from support import ROOT
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("site-pdf")]
 CHAPTERS = chapters()
-SAMPLE = ("01", "03")
-"""Chapters that are looked at in a browser."""
+SAMPLE = ("06", "03")
+"""Chapters that are looked at in a browser: cut from the book, and written."""
 DEFINITIONS = {"11-one-step-of-the-filter-ten-lines"}
 """Cells that print nothing: their code is what they show, asked for or not."""
 BARE = re.compile(r"[\d{\[(.-]|array|True|False|None|<")
@@ -64,9 +65,14 @@ def opened(page, folder: Path, number: str, code: str = "") -> None:
 
 @pytest.mark.browser
 @pytest.mark.parametrize(
-    ("number", "code", "size"), [("01", "", (1280, 720)), ("03", "-code", (1024, 768))]
+    ("number", "code", "size", "count"),
+    [
+        ("06", "", (1280, 720), range(10, 60)),
+        ("03", "", (1280, 720), range(5, 9)),
+        ("03", "-code", (1024, 768), range(10, 80)),
+    ],
 )
-def test_every_slide_fits_and_can_be_read(folder, page, number, code, size):
+def test_every_slide_fits_and_can_be_read(folder, page, number, code, size, count):
     """In the window that they are opened in, and on a screen that is plugged in later."""
     for place, (width, height) in enumerate((size, (1920, 1080))):
         page.set_viewport_size({"width": width, "height": height})
@@ -74,7 +80,7 @@ def test_every_slide_fits_and_can_be_read(folder, page, number, code, size):
             opened(page, folder, number, code)
         page.evaluate("Reveal.layout()")
         slides = page.evaluate(ALL_SLIDES)
-        assert len(slides) > 10
+        assert len(slides) in count
         for slide in slides:
             assert slide["left"] >= 0, slide
             assert slide["right"] <= width, slide
@@ -107,13 +113,13 @@ def agreed(page, frame) -> list[int]:
 def test_the_speaker_view_has_the_slides_and_notes_of_the_projector(folder, page):
     """From a file; whichever window is driven, and whatever shape it has or comes to have."""
     page.set_viewport_size({"width": 1280, "height": 720})
-    opened(page, folder, "01")
+    opened(page, folder, "06")
     page.keyboard.press("ArrowRight")
     with page.expect_popup() as popup:
         page.keyboard.press("s")
     speaker = popup.value
     speaker.set_viewport_size({"width": 1100, "height": 760})
-    speaker.locator(".speaker-controls-notes .value", has_text="Most say 30").wait_for()
+    speaker.locator(".speaker-controls-notes .value", has_text="tangent of a quarter").wait_for()
     for name in ("current", "upcoming"):
         frame = speaker.frame_locator(f"#{name}-slide iframe")
         frame.locator("html[data-ready]").wait_for(timeout=60000)
@@ -135,6 +141,28 @@ def test_the_speaker_view_has_the_slides_and_notes_of_the_projector(folder, page
     assert page.complaints == []
 
 
+@pytest.mark.parametrize("path", sorted(WRITTEN.glob("*.md")), ids=lambda path: path.stem)
+def test_written_slides_have_one_idea_each_and_the_minutes_of_the_syllabus(path):
+    slides = path.read_text("utf-8").split("\n---\n")
+    assert 5 <= len(slides) <= 8
+    cells = nbformat.read(ROOT / "notebooks" / CHAPTERS[path.stem], as_version=4).cells
+    told = []
+    for slide in slides:
+        text, _, note = slide.partition("\nNotes:\n")
+        assert len(text.split()) <= 60, text
+        assert text.count("## ") == 1, text
+        assert {*SHOWN.findall(text)} <= {cell.id for cell in cells}
+        told.append(int(re.match(r"\*\*(\d+) minutes?\.\*\*", note)[1]))
+    assert sum(told) == slide_minutes(path.stem)
+
+
+def slide_minutes(number: str) -> int:
+    """As the table for instructors has it."""
+    page = nbformat.read(ROOT / "notebooks/for_instructors.ipynb", as_version=4)
+    (minutes,) = re.findall(rf"^\| {number} [^|]*\|[^|]*\| (\d+) \|", page.cells[1].source, re.M)
+    return int(minutes)
+
+
 @pytest.mark.parametrize("number", CHAPTERS)
 def test_notes_stand_on_slides_and_their_minutes_are_those_of_the_syllabus(number):
     notebook = nbformat.read(ROOT / "notebooks" / CHAPTERS[number], as_version=4)
@@ -143,10 +171,8 @@ def test_notes_stand_on_slides_and_their_minutes_are_those_of_the_syllabus(numbe
     notes = {name: text for name, text in NOTES.items() if name.startswith(f"{number}-")}
     assert notes.keys() <= {cell.id for cell in on_slides(notebook).cells}
     assert any("puzzle" in name for name in notes)
-    page = nbformat.read(ROOT / "notebooks/for_instructors.ipynb", as_version=4)
-    (minutes,) = re.findall(rf"^\| {number} [^|]*\|[^|]*\| (\d+) \|", page.cells[1].source, re.M)
     told = [re.match(r"\s*\*\*(\d+) minutes\.\*\*", text) for text in notes.values()]
-    assert sum(int(each[1]) for each in told) == int(minutes)
+    assert sum(int(each[1]) for each in told) == slide_minutes(number)
 
 
 @pytest.mark.parametrize("number", CHAPTERS)
