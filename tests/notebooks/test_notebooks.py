@@ -118,6 +118,8 @@ def test_formulas_write_fonts_as_every_reader_of_them_knows() -> None:
 @pytest.mark.parametrize("path", CHAPTERS, ids=name_of)
 def test_chapter_has_its_bones(path: Path) -> None:
     headings = re.findall(r"^## (.*)$", markdown(path), flags=re.MULTILINE)
+    first = nbformat.read(path, as_version=4).cells[0].source
+    assert re.search(r"\A# \d\d [^\n]+\n\n\*[^*\n]+\.\*$", first, re.MULTILINE)  # title, subject
     assert headings[:2] == BEGIN
     assert headings[-2:] == END
     assert not [heading for heading in headings if re.search(r"\(\d", heading)]  # no equations
