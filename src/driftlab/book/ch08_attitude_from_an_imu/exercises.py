@@ -94,6 +94,6 @@ EXERCISES: dict[str, Exercise] = {
                 60 / (_minutes_until_coning_shows() / 60)
             ),
         },
-        remark="Up to then the noise hides the drift, and a better algorithm gains nothing.",
+        remark="Until shortly before, noise hides the drift, and a better algorithm gains little.",
     ),
 }

@@ -14,7 +14,7 @@ FIGURES = (
             "A rate that oscillates, and three guesses of it between "
             f"{table.samples:g} samples in a period. Then the largest error of an increment made "
             "from such samples, away from the ends of the record. A spline gains most with many "
-            "samples; with two or three in a period no guess helps."
+            "samples; with hardly more than two in a period no guess helps."
         ),
     ),
     FigureDefinition(

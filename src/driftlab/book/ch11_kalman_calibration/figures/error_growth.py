@@ -14,7 +14,7 @@ def caption(table: DataTable) -> str:
         f"Velocity error North on a table that turns about x from {begin:g} to {end:g} s (dotted), "
         "by each of four causes alone, from the error equations. Defaults: x East, y North, z Up "
         "at first, a quarter turn. A tilt and an accelerometer bias grow alike, until the turn "
-        "points y up; the scale factor of the gyro shows only after the turn, through the tilt "
+        "points y up; the scale factor of the gyro shows only from the turn on, through the tilt "
         "that it left."
     )
 

@@ -44,8 +44,9 @@ FIGURES = (
         lambda table: (
             "Arithmetic in 32 bits: error of the attitude after "
             f"{table.steps} steps, its length divided out, by the angle of a step. "
-            "Where each product is rounded, 1 - λ0 errs several times less than the two updates "
-            "with λ0 as soon as λ0 differs from 1 in the word, right of the dotted line. A "
+            "Where each product is rounded and λ0 differs from 1 in the word, right of the dotted "
+            "line, 1 - λ0 errs less than the two updates with λ0: several times at short steps, "
+            "hardly at the longest but for the narrow cone. A "
             f"compensated sum errs least. Root mean square of {table.starts} attitudes. Steps up "
             "to 0.01 rad, of the reconstructed algorithm; the update with 1 - λ0 is our reading of "
             "the paper's advice."
