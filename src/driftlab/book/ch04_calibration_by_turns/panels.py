@@ -122,7 +122,7 @@ class TurnCalibrationExplorer(Explorer):
                 "error, ″", "1σ, ″",
             ),
             "Below the three sigmas by Larin's formula: all nine numbers from the summed "
-            "increments of both senses, one calibration, with their standard deviations.",
+            "increments of both directions, one calibration, with their standard deviations.",
         )  # fmt: skip
 
     def call(self, values: Values) -> str:

@@ -117,7 +117,7 @@ def turn_estimates(
             "error": ((shown - sigma).ravel(), "arcsec", "estimate minus true value"),
             "true": (sigma, "mrad", "true sigma1, sigma2, sigma3"),
             "mean_error": ((shown - sigma).mean(axis=0), "arcsec", "mean of all runs"),
-            "nine": ([*NINE], "", "numbers of the error matrix, from the sums of both senses"),
+            "nine": ([*NINE], "", "numbers of the error matrix, from the sums of both directions"),
             "nine_true": (nine_of(error_matrix), "mrad", "true value of each"),
             "nine_error": (nine_error, "arcsec", "error of each, one calibration"),
             "nine_spread": (spread, "arcsec", "standard deviation of each"),

@@ -39,10 +39,10 @@ FIGURES = (
         experiments.turn_bias,
         turn_bias.draw,
         lambda data: (
-            "Size of the error of sigma2 of a bent triad, published for Larin's. With many steps "
-            f"what remains is the bias of the method itself, {data.bias:.1e}; a dip on the way is "
-            "where the error of the integrator has the opposite sign and cancels it. More turns "
-            f"lower the noise only ({data.runs} runs for each dot)."
+            "Size of the error of sigma2, for a misaligned triad (default: Larin's). With many "
+            f"steps only the bias of the method remains, {data.bias:.1e}; at a dip on the way the "
+            "error of the integrator has the opposite sign and cancels it. More turns lower only "
+            f"the noise ({data.runs} runs per dot)."
         ),
     ),
     FigureDefinition(
@@ -50,12 +50,12 @@ FIGURES = (
         experiments.turn_estimates,
         turn_estimates.TurnEstimatesPicture.draw,
         lambda data: (
-            f"A bent triad, published for Larin's, calibrated {len(data.runs)} times by turns "
+            f"A misaligned triad (default: Larin's), calibrated {len(data.runs)} times by turns "
             f"about each of {len(data.axes)} axes, with gyro noise of "
-            f"{3600 * np.degrees(data.angle_noise):.1f} arc seconds a turn. On the left the "
+            f"{3600 * np.degrees(data.angle_noise):.1f} arc seconds per turn. On the left the "
             "three sigmas by formula (3.3). On the right all nine numbers of the error matrix by "
-            "the summed increments of turns in both senses, with their standard deviations: three "
-            "scale factors s, three sigmas, and the turn κ of the triad as a whole."
+            "the summed increments of turns in both directions, with their standard deviations: "
+            "three scale factors s, three sigmas, and the rotation κ of the triad as a whole."
         ),
     ),
     FigureDefinition(
