@@ -124,7 +124,7 @@ def test_a_page_of_each_kind_fits_the_screen_and_sets_its_formulas(address, kept
 def test_a_page_from_a_disk_reads_without_complaint(site, page):
     page.goto((site / "03_systematic_drift.html").as_uri())
     page.locator("mjx-container").first.wait_for()
-    page.get_by_role("link", name="Worked solution").first.click()
+    page.get_by_role("link", name="Worked solution", exact=True).first.click()
     page.wait_for_url("**/solutions/03_systematic_drift.html#solution-3-1")
     assert page.complaints == []
 

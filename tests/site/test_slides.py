@@ -17,7 +17,12 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("site-pdf")]
 CHAPTERS = chapters()
 SAMPLE = ("06", "03")
 """Chapters that are looked at in a browser: cut from the book, and written."""
-DEFINITIONS = {"11-one-step-of-the-filter-ten-lines"}
+DEFINITIONS = {
+    "09-ten-lines-2",
+    "09-ten-lines-4",
+    "09-zero-velocity-updates-2",
+    "11-one-step-of-the-filter-ten-lines",
+}
 """Cells that print nothing: their code is what they show, asked for or not."""
 BARE = re.compile(r"[\d{\[(.-]|array|True|False|None|<")
 """What Python calls a value, without words and units."""
