@@ -5,7 +5,6 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from scipy.spatial.transform import Rotation
 
-from driftlab.attitude.cayley import cayley_vector
 from driftlab.axes import _axes_rotation
 from driftlab.calibration.body_axes import attitude_error as error_of_part_iii
 from driftlab.conventions import (
@@ -17,10 +16,7 @@ from driftlab.conventions import (
     scalar_last,
 )
 from driftlab.drift.error_kinematics import error_quaternion
-from driftlab.gyrocompass.alignment import align, alignment_attitude_error
-from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import from_rotation_vector, multiply, to_matrix
-from driftlab.triad import non_orthogonality
 from driftlab.vectors import cross_matrix
 from support import EPS, order_of, quaternions, random_quaternions
 
@@ -73,19 +69,6 @@ def test_no_zero_gets_a_minus_sign():
     assert not np.signbit(convert_attitude_error(np.zeros(3), "groves", "phi")).any()
 
 
-def test_error_of_an_alignment_has_groves_sign():
-    body, latitude = random_quaternions(seed=3), 0.9
-    rate, force = static_imu(body, latitude)
-    bias = np.array([1e-8, -2e-8, 1.5e-8])
-    nue = to_matrix(body) @ bias
-    found = align(rate + bias, force).attitude
-    error = alignment_attitude_error(latitude, nue, np.zeros(3))
-    rotation = to_matrix(found) @ to_matrix(body).T - np.eye(3)
-    # Errors of 1e-4 to 1e-3 rad; the rest is their square.
-    np.testing.assert_allclose(rotation, cross_matrix(error), rtol=0, atol=2e-6)
-    assert np.abs(error).max() > 1e-4
-
-
 def local_axes(latitude, longitude):
     """Rows East, North, Up in Earth-centred axes, by SciPy."""
     return _axes_rotation("NED", "ENU") @ (
@@ -126,29 +109,6 @@ def test_scalar_first_and_last(first, second):
     (a, *u), (b, *v) = scalar_first(first), scalar_first(second)
     product = [a * b - np.dot(u, v), *(a * np.array(v) + b * np.array(u) + np.cross(u, v))]
     np.testing.assert_allclose(scalar_last(product), multiply(first, second), rtol=0, atol=16 * EPS)
-
-
-@few
-@given(quaternions())
-def test_modified_rodrigues_parameters_are_minus_the_cayley_vector(attitude):
-    turned = attitude * (1 if attitude[3] >= 0 else -1)  # the short one of the two sets
-    mrp = Rotation.from_quat(attitude).as_mrp()
-    np.testing.assert_allclose(-cayley_vector(turned), mrp, rtol=0, atol=16 * EPS)
-
-
-def test_sigma_is_half_of_what_two_axes_miss_of_a_right_angle():
-    """Rows of I + M are the sensors' axes; the whole angle is what data sheets call it."""
-    rng = np.random.default_rng(4)
-    bent = rng.normal(size=(3, 3))
-
-    def gap(size):
-        error = size * bent
-        axes = np.eye(3) + error
-        unit = axes / np.linalg.norm(axes, axis=1, keepdims=True)
-        missing = np.pi / 2 - np.arccos(unit[0] @ unit[1])
-        return abs(missing - 2 * non_orthogonality(error)[0, 1])
-
-    assert order_of(gap) > 1.9
 
 
 @pytest.mark.parametrize(

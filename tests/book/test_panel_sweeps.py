@@ -2,15 +2,13 @@
 
 import random
 from collections.abc import Iterator
-from typing import Any, ClassVar
+from typing import Any
 
 import ipywidgets as widgets
 import pytest
 
-from driftlab.book.machinery.figure.picture import Picture
 from driftlab.book.machinery.panel.control import Control
 from driftlab.book.machinery.panel.panel import ERROR_CLASS, Explorer
-from driftlab.book.machinery.panel.results import Results
 from grouped import every_panel, opened
 from panel_numbers import assert_shown, results_of
 
@@ -103,88 +101,3 @@ def test_any_combination_gives_a_picture_numbers_and_code_that_runs(
     panel_class: type[Explorer],
 ) -> None:
     combine(opened(panel_class), panel_class.__name__)
-
-
-class DotPicture(Picture):
-    """One dot at a height."""
-
-    size = (2.0, 1.0)
-
-    def build(self) -> None:
-        axes = self.figure.subplots()
-        axes.set(xlim=(-1, 1), ylim=(-1, 5))
-        self.dot = self.line(axes, marker="o")
-
-    def update(self, data: float) -> None:
-        self.dot.set_data([0.0], [data])
-
-
-class Sound(Explorer):
-    """Shows the sum of two numbers; the second changes nothing from the first preset."""
-
-    title = "sound"
-    picture_class = DotPicture
-    controls = (Control("x", "x", 0.5, 0.0, 3.0, 0.1), Control("y", "y", 0.0, 0.0, 1.0, 0.1))
-    presets: ClassVar = {"start": {}, "another": {"x": 1.0}}
-
-    def compute(self, values):
-        return values["x"] + (values["y"] if values["x"] == 1 else 0)
-
-    def numbers(self, data):
-        return Results(("sum", f"{data:.3f}"), ())
-
-    def call(self, values):
-        return ""
-
-
-class RaisesFromAnother(Sound):
-    def compute(self, values):
-        if values["x"] == values["y"] == 1:
-            raise ZeroDivisionError("from another preset")
-        return super().compute(values)
-
-
-class Refuses(Sound):
-    def compute(self, values):
-        if values["x"] == 3:
-            raise ValueError("x: expected less than 3")
-        return super().compute(values)
-
-
-class HidesItsError(Sound):
-    """Its callback fails, shows a traceback and says nothing: as an Output widget does."""
-
-    def redraw(self):
-        super().redraw()
-        if self.values["x"] == 3:
-            fault = {"output_type": "error", "ename": "", "evalue": "hidden", "traceback": []}
-            self.children = [*self.children[:3], widgets.Output(outputs=(fault,))]
-
-
-class Deaf(Sound):
-    def compute(self, values):
-        return values["x"]
-
-
-class Remembers(Sound):
-    """Its picture depends on what it showed before."""
-
-    def compute(self, values):
-        self.past = max(getattr(self, "past", 0.0), super().compute(values))
-        return self.past
-
-
-@pytest.mark.parametrize(
-    ("broken", "error"),
-    [
-        (RaisesFromAnother, "from another preset"),
-        (Refuses, "expected less than 3"),
-        (HidesItsError, "hidden"),
-        (Deaf, "these change no picture"),
-        (Remembers, "depends on the way"),
-    ],
-)
-def test_a_sweep_sees_every_fault(broken: type[Explorer], error: str) -> None:
-    sweep(Sound())
-    with pytest.raises((AssertionError, ZeroDivisionError), match=error):
-        sweep(broken())

@@ -26,7 +26,6 @@ from pages import (
     START,
     markdown,
     name_of,
-    notebook_of,
 )
 from places import PLACES, Place
 from twin import Panel
@@ -259,57 +258,3 @@ def look_at(chapter: NotebookPage, place: Place) -> None:
     panel.shown.settle()
     assert panel.shown.values()[slider.name] != before
     panel.assert_agrees()
-
-
-BROKEN_EXPLORER = """
-from driftlab.book import RootsExplorer
-class Broken(RootsExplorer):
-    def compute(self, values):
-        if values["size"] > 0.2:
-            raise ZeroDivisionError("the panel is broken")
-        return super().compute(values)
-explorer = Broken()
-explorer
-"""
-MOVE_IT = """
-try:
-    explorer.set(size=0.3)
-except ZeroDivisionError:
-    pass
-"""
-BROKEN_INTERACT = """
-from ipywidgets import interact
-@interact(x=(0, 3))
-def broken(x):
-    raise ZeroDivisionError("interact is broken")
-"""
-
-
-@pytest.mark.kernel
-@pytest.mark.filterwarnings("ignore::DeprecationWarning")
-@pytest.mark.xdist_group("browser")
-@pytest.mark.parametrize(
-    "way",
-    [
-        "kernel",
-        pytest.param(
-            "browser",
-            marks=[
-                pytest.mark.browser,
-                pytest.mark.skipif(bool(no_browser()), reason=no_browser()),
-            ],
-        ),
-    ],
-)
-def test_hidden_errors_are_found(way: str, request) -> None:
-    """The test above can fail: both kinds of swallowed callback error are seen."""
-    notebook = notebook_of(BROKEN_EXPLORER, MOVE_IT, BROKEN_INTERACT)
-    if way == "kernel":
-        notebook = run_in_kernel(notebook)
-    else:
-        page = request.getfixturevalue("chapter_page")
-        notebook = run_in_browser(page, "broken.ipynb", notebook)
-        assert page.all_trouble() != []
-    found = "\n".join(hidden_errors(notebook))
-    assert "the panel is broken" in found
-    assert "interact is broken" in found
