@@ -59,13 +59,6 @@ def test_product_is_scipys(p, q):
     np.testing.assert_allclose(multiply(p, q), product, rtol=0, atol=2 * PRODUCT)
 
 
-@given(quaternions(), quaternions(), quaternions())
-def test_product_is_associative(p, q, r):
-    np.testing.assert_allclose(
-        multiply(multiply(p, q), r), multiply(p, multiply(q, r)), rtol=0, atol=4 * PRODUCT
-    )
-
-
 @given(quaternions(), quaternions())
 def test_conjugate_reverses_products_and_inverts(p, q):
     np.testing.assert_allclose(

@@ -353,14 +353,6 @@ def test_rate_is_the_derivative_of_k_along_the_exact_motion(dimension, q, rate):
     np.testing.assert_allclose(riccati_rate(k(0), rate, dimension), slope, rtol=0, atol=bound)
 
 
-def test_rate_about_a_fixed_axis_is_that_of_the_tangent():
-    angle, speed = 1.3, 0.7
-    for dimension, part in ((4, angle / 4), (3, angle / 2)):
-        expected = -speed * (part / angle) / np.cos(part) ** 2 * AXIS
-        actual = riccati_rate(-np.tan(part) * AXIS, speed * AXIS, dimension)
-        np.testing.assert_allclose(actual, expected, rtol=8 * EPS)
-
-
 # Integration of (1.10)
 
 
@@ -433,11 +425,6 @@ def test_switches_are_where_the_vector_is_a_fifth_longer_than_its_shadow_may_be(
     np.testing.assert_allclose(tumbled.switches, np.array(expected) - 5e-4, rtol=0, atol=5.1e-4)
     scalars = np.abs(exact(tumbled.switches)[:, 3])
     np.testing.assert_allclose(scalars, -SWITCH_SCALAR, rtol=0, atol=INTEGRATED)
-
-
-def test_vector_stays_short_with_the_switch(tumbled):
-    lengths = np.linalg.norm(tumbled.vector, axis=-1)
-    assert 1 < lengths.max() <= SWITCH + INTEGRATED
 
 
 def test_smaller_tolerance_takes_more_evaluations_and_errs_less(exact):

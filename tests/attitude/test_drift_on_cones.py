@@ -1,4 +1,4 @@
-"""Drift on a cone from one step: against many, the narrow cone's formula, fifty digits."""
+"""Drift on a cone from one step: against many, and the narrow cone's formula."""
 
 from itertools import product
 
@@ -78,69 +78,6 @@ def test_on_a_narrow_cone_it_is_the_closed_formula(name, x):
     # Relative to the uncorrected drift, X^3/12 of a step, it is of the second power.
     step = CONING_ALGORITHMS[name].samples * x
     assert rest(0.001 / 8) < 1e-3**4 * step**3 + 16 * EPS
-
-
-def quaternion_product(p, q):
-    (a, b, c, d), (e, f, g, h) = p, q
-    return (
-        d * e + h * a + b * g - c * f,
-        d * f + h * b + c * e - a * g,
-        d * g + h * c + a * f - b * e,
-        d * h - a * e - b * f - c * g,
-    )
-
-
-def drift_in_fifty_digits(name, half_angle, x):
-    """Drift of a step, rad: the same thought, with another arithmetic."""
-    chosen = CONING_ALGORITHMS[name]
-    with mpmath.workdps(50):
-        a, x = mpmath.mpf(half_angle), mpmath.mpf(x)
-
-        def increment(i):
-            # The integral of the rate between two phases.
-            begin, end = (i - chosen.memory) * x, (i + 1 - chosen.memory) * x
-            return mpmath.matrix([
-                mpmath.sin(a) * (mpmath.cos(end) - mpmath.cos(begin)),
-                mpmath.sin(a) * (mpmath.sin(end) - mpmath.sin(begin)),
-                -(1 - mpmath.cos(a)) * x,
-            ])  # fmt: skip
-
-        def cross(u, v):
-            return mpmath.matrix([
-                u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
-            ])  # fmt: skip
-
-        rows = [increment(i) for i in range(chosen.window)]
-        gamma = sum(rows[chosen.memory :], mpmath.matrix(3, 1))
-        coning = mpmath.matrix(3, 1)
-        for (i, j), weight in chosen.coning.items():
-            coning += mpmath.mpf(weight) * cross(rows[i], rows[j])
-        f = gamma + coning
-        if chosen.last_stage == "rotation vector":
-            angle = mpmath.norm(f)
-            q = [*(f * mpmath.sin(angle / 2) / angle), mpmath.cos(angle / 2)]
-        else:
-            cubic = mpmath.norm(gamma) ** 2 * gamma / 192
-            k = {
-                "first iterate": -gamma / 4,
-                "second iterate": -f / 4 - cubic - cross(gamma, coning) / 32,
-                "tangent": -f / 4 - mpmath.norm(f) ** 2 * f / 192,
-            }[chosen.last_stage]
-            square = mpmath.norm(k) ** 2
-            q = [*(-2 * k / (1 + square)), (1 - square) / (1 + square)]
-        half = chosen.samples * x / 2
-        turned = quaternion_product(q, (0, 0, mpmath.sin(half), mpmath.cos(half)))
-        length = mpmath.sqrt(sum(entry**2 for entry in turned[:3]))
-        return float(2 * mpmath.atan2(length, turned[3]) - 2 * half)
-
-
-@every_algorithm
-def test_rounding_leaves_some_eps_a_step(name):
-    samples = CONING_ALGORITHMS[name].samples
-    for half_angle, x in product([1e-4, 0.02, 1.0], [1e-3, 0.05, 0.3]):
-        a_step = coning_drift(name, half_angle, x / (2 * np.pi), 1.0) * samples
-        expected = drift_in_fifty_digits(name, half_angle, x)
-        assert a_step == pytest.approx(expected, rel=1e-12, abs=8 * EPS), (half_angle, x)
 
 
 @every_algorithm

@@ -150,17 +150,6 @@ def test_odd_power_of_a_length_is_of_third_order_and_drifts_with_the_third_power
     assert slope(error, 2 / 512) == pytest.approx(3, abs=0.05)
 
 
-def test_weights_that_depend_on_the_step_drift_with_the_third_power():
-    def drift(x):
-        def tuned(increments):
-            first, second = increments[0::2], increments[1::2]
-            return first + second + (2 / 3 + 0.3 * x) * np.cross(first, second)
-
-        return np.abs(coning_drift(tuned, WIDE[:3], 1.0, x / (2 * np.pi)))
-
-    np.testing.assert_allclose(np.log2(drift(0.03) / drift(0.015)), 3, rtol=0, atol=0.02)
-
-
 @pytest.mark.parametrize("step_angle", [0.05, 0.3, 1.5])
 @pytest.mark.parametrize("error", [1e-3, 0.1])
 def test_error_along_the_tilt_axis_comes_back_by_its_square(step_angle, error):
