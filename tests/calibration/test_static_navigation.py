@@ -121,23 +121,6 @@ def test_start_in_the_axes_of_the_table_is_wrong_by_the_misalignment():
     assert 1e-3 < np.abs(drift).max() < 8e-3
 
 
-# Short times, in closed form
-
-
-def test_errors_of_the_triads_are_biases_as_long_as_the_unit_stands():
-    """K w and L f, of the one rate and the one force that there are."""
-    rate, force = TO_LOCAL.T @ earth_rate(LATITUDE), TO_LOCAL.T @ np.array([0.0, 0.0, GRAVITY])
-    bent = NO_ERRORS._replace(
-        gyro_error_matrix=TYPICAL_ERRORS.gyro_error_matrix,
-        accelerometer_error_matrix=TYPICAL_ERRORS.accelerometer_error_matrix,
-    )
-    straight = NO_ERRORS._replace(
-        gyro_bias=TYPICAL_ERRORS.gyro_error_matrix @ rate,
-        accelerometer_bias=TYPICAL_ERRORS.accelerometer_error_matrix @ force,
-    )
-    same_errors(at_rest(bent, duration=600.0), at_rest(straight, duration=600.0))
-
-
 # Long times: a pendulum of Schuler's, and the error equations
 
 
