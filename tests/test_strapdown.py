@@ -427,11 +427,6 @@ def test_many_at_once_are_as_one_by_one(hold_altitude):
     for i, j in np.ndindex(2, 3):
         alone = navigate(part(start, (i, 0)), Increments(0.05, angle[j], push[j]), **kwargs)
         same_states(part(together, (i, j)), alone)
-    # Accelerometers of several units that turn together.
-    shared = navigate(part(start, (0, 0)), Increments(0.05, angle[0], push), **kwargs)
-    for j in range(3):
-        alone = navigate(part(start, (0, 0)), Increments(0.05, angle[0], push[j]), **kwargs)
-        same_states(part(shared, j), alone)
 
 
 @pytest.mark.parametrize("degrees", [179.99, -179.99])
@@ -580,13 +575,11 @@ def test_leading_axes_of_one_kind_of_increments_hold_for_both(runs, alone):
             )
 
 
-def test_speeds_and_heights_that_nothing_has_are_refused():
+def test_speeds_that_nothing_has_are_refused():
     good, record = (
         stationary_state(0.8, [0, 0, 0, 1]),
         static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20),
     )
-    with pytest.raises(ValueError, match=r"^start\.altitude: expected m, at most 1e\+09 in size"):
-        navigate(good._replace(altitude=np.array(1e10)), record.increments)
     with pytest.raises(ValueError, match=r"^start\.velocity: expected m/s, slower than light, got"):
         navigate(good._replace(velocity=np.array([0.0, -4e8, 0.0])), record.increments)
     fast = record.increments._replace(velocity=np.full((20, 3), 4e8))

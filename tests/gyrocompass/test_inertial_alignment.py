@@ -97,17 +97,6 @@ def test_angles_are_those_at_the_end_while_a_body_turns(swing):
     assert np.allclose([found.heading, found.pitch, found.roll], expected, atol=bound)
 
 
-def test_means_and_inertial_space_agree_on_a_body_that_is_still():
-    rng = np.random.default_rng(4)
-    attitude = from_euler_angles(
-        rng.uniform(-3, 3, 5), rng.uniform(-1, 1, 5), rng.uniform(-3, 3, 5)
-    )
-    rows = still(attitude, LATITUDE, interval=0.5, count=200)
-    means = align(rows.mean_rate.mean(axis=-2), rows.velocity.mean(axis=-2)).attitude
-    found = align_in_inertial_frame(rows, LATITUDE).attitude
-    assert rotation_angle(multiply(found, conjugate(means))).max() < 1e-10
-
-
 def test_a_lean_turns_the_heading_of_means_and_not_this_one():
     """An arc minute about East in five minutes, with a smooth beginning and end."""
     lean, duration = np.radians(1 / 60), 300.0

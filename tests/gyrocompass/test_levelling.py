@@ -365,14 +365,6 @@ def test_many_runs_at_once_are_each_what_it_is_alone(number):
             bound = 40 * EPS * np.abs(alone.rate).max()  # steps, each rounded
             assert np.allclose(alone.rate, together.rate[i, j], rtol=1e-12, atol=bound)
             assert np.allclose(alone.last.rate, together.last.rate[i, j], rtol=1e-12)
-    # Leading axes of one argument alone.
-    level = propagate_level_frame(
-        LevelFrame(tilts[0, 0], rate), Increments(0.1, angle, velocity[0]), gains, AZIMUTH_RATE
-    )
-    alone = propagate_level_frame(
-        LevelFrame(tilts[0, 0], rate), Increments(0.1, angle[1], velocity[0]), gains, AZIMUTH_RATE
-    )
-    assert np.allclose(level.attitude[1], alone.attitude, rtol=0, atol=1e-15)
 
 
 @pytest.mark.parametrize("lead", [(), (2,), (7, 2)])

@@ -76,14 +76,6 @@ def test_deviation_of_mean_is_the_sum_over_all_pairs(noise, count):
     assert noise.standard_deviation_of_mean(count) == pytest.approx(expected, rel=1e-12)
 
 
-@pytest.mark.parametrize("count", [1, 36, 625, 2000])
-def test_deviation_of_mean_of_the_default_noise(count):
-    """Its interval is 36000 times shorter than its correlation time, which costs digits."""
-    noise = GyroNoise()
-    expected = np.sqrt(covariance(noise, count).sum()) / count
-    assert noise.standard_deviation_of_mean(count) == pytest.approx(expected, rel=1e-9)
-
-
 @pytest.mark.parametrize("window", [0.01, 0.3, 1.0, 10.0, 1000.0])
 def test_slow_noise_in_short_steps_is_averaged_as_in_continuous_time(window):
     """2 sigma^2 (x - 1 + exp(-x))/x^2, with x the window in correlation times."""

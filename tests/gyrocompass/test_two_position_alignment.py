@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-import sympy as sp
 from scipy.spatial.transform import Rotation
 
 from driftlab.earth import EARTH_RATE
@@ -109,27 +108,6 @@ def test_it_is_the_least_squares_solution():
 
 
 # Closed forms
-
-
-def test_what_a_change_of_bias_and_a_wrong_turn_do_in_symbols():
-    """The level part: the difference of the readings is (1 - R') E, with R' the turn back."""
-    angle, wrong, north, east, heading = sp.symbols("alpha delta b_N b_E Psi", real=True)
-    level = sp.Symbol("L", positive=True)
-
-    def back(by):
-        return sp.Matrix([[sp.cos(by), sp.sin(by)], [-sp.sin(by), sp.cos(by)]])
-
-    # Axes: forward and left, so a heading from North to West has North at (cos, -sin).
-    earth = level * sp.Matrix([sp.cos(heading), -sp.sin(heading)])
-    change = sp.Matrix([north, east])
-    found = (sp.eye(2) - back(angle)).inv() * (earth - back(angle + wrong) * earth - change)
-    turned = -sp.atan2(found[1], found[0])
-    nothing = {wrong: 0, north: 0, east: 0}
-    slopes = [turned.diff(x).subs(nothing) for x in (wrong, north, east)]
-    value = {angle: sp.Rational(7, 5), heading: sp.Rational(3, 10), level: 2}
-    assert float(slopes[0].subs(value)) == pytest.approx(0.5)
-    size = sp.sqrt(slopes[1] ** 2 + slopes[2] ** 2).subs(value)
-    assert float(size) == pytest.approx(1 / (2 * np.sin(0.7) * 2))
 
 
 @pytest.mark.parametrize("degrees", [180.0, 60.0])
