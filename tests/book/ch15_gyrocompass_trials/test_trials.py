@@ -52,19 +52,6 @@ def test_drifts_on_a_level_table_in_closed_form():
     assert np.abs(errors).max() > 0.009
 
 
-def test_errors_of_the_unit_are_those_of_the_alignment_to_first_order():
-    attitude = from_euler_angles(DIAL + 0.3, 0.0, 0.0)
-
-    def gap(size):
-        shown = turntable_heading_error(
-            DIAL, size * GYRO_BIAS, size * ACCELEROMETER_BIAS, LATITUDE, north_error=0.3
-        )
-        local = (rotate(attitude, size * error) for error in (GYRO_BIAS, ACCELEROMETER_BIAS))
-        return np.abs(shown - 0.3 - alignment_errors(DIAL + 0.3, 0.0, LATITUDE, *local).heading)
-
-    assert order_of(lambda size: gap(size).max()) == pytest.approx(2, abs=0.02)
-
-
 def test_a_leaning_table_turns_the_bow_by_the_rotation_alone():
     """The compass finds the true heading of the leaning body: where its bow points."""
     tilt = np.array([0.2, -0.3])
@@ -96,16 +83,20 @@ def test_a_pitched_and_rolled_table_of_a_perfect_compass_shows_the_dial():
     np.testing.assert_allclose(errors, 0, rtol=0, atol=256 * EPS)
 
 
-def test_a_pitched_unit_has_the_errors_of_its_alignment_to_first_order():
-    pitch, roll = 0.8, -1.1
-    attitude = from_euler_angles(DIAL, pitch, roll)
+@pytest.mark.parametrize(
+    "table", [{"north_error": 0.3}, {"pitch": 0.8, "roll": -1.1}], ids=["turned", "pitched"]
+)
+def test_a_pitched_unit_has_the_errors_of_its_alignment_to_first_order(table):
+    north, pitch, roll = (table.get(name, 0.0) for name in ("north_error", "pitch", "roll"))
+    attitude = from_euler_angles(DIAL + north, pitch, roll)
 
     def gap(size):
-        shown = turntable_heading_error(
-            DIAL, size * GYRO_BIAS, size * ACCELEROMETER_BIAS, LATITUDE, pitch=pitch, roll=roll
+        biases = size * GYRO_BIAS, size * ACCELEROMETER_BIAS
+        shown = turntable_heading_error(DIAL, *biases, LATITUDE, **table)
+        local = (rotate(attitude, bias) for bias in biases)
+        return np.abs(
+            shown - north - alignment_errors(DIAL + north, pitch, LATITUDE, *local).heading
         )
-        local = (rotate(attitude, size * error) for error in (GYRO_BIAS, ACCELEROMETER_BIAS))
-        return np.abs(shown - alignment_errors(DIAL, pitch, LATITUDE, *local).heading)
 
     assert order_of(lambda size: gap(size).max()) == pytest.approx(2, abs=0.02)
 
