@@ -11,7 +11,6 @@ from driftlab.imu import (
     ImuErrors,
     ImuNoise,
     PriorStandardDeviations,
-    checked_imu_errors,
     random_imu_errors,
 )
 from support import assert_normal
@@ -96,10 +95,3 @@ def test_sizes_that_are_no_deviations_are_refused_by_name(kind, name):
     good = kind(**{name: 0})
     with pytest.raises(FrozenInstanceError):
         setattr(good, name, 1.0)
-
-
-@every_field
-def test_units_of_the_wrong_shape_are_refused_by_name(name):
-    bad = UNIT._replace(**{name: np.zeros(4)})
-    with pytest.raises(ValueError, match=rf"^{name}: expected shape \(\.\.\., 3"):
-        checked_imu_errors(bad)
