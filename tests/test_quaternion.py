@@ -17,7 +17,7 @@ from driftlab.quaternion import (
     rotation_angle,
     to_rotation_vector,
 )
-from support import EPS, IDENTITY, quaternions, random_quaternions, same_rotation, vectors
+from support import EPS, IDENTITY, quaternions, random_quaternions, vectors
 
 UNIT_I, UNIT_J, UNIT_K, ONE = np.eye(4)
 
@@ -171,13 +171,6 @@ def test_cumulative_product_is_the_loop(count):
     for k in range(count):
         product = multiply(product, increments[..., k, :])
         np.testing.assert_allclose(products[..., k, :], product, rtol=0, atol=(k + 1) * PRODUCT)
-
-
-def test_cumulative_product_of_equal_increments_is_one_rotation():
-    increment = np.array([1e-3, 2e-3, -2e-3])
-    products = cumulative_product(np.tile(from_rotation_vector(increment), (1000, 1)))
-    expected = from_rotation_vector(np.arange(1, 1001)[:, np.newaxis] * increment)
-    assert same_rotation(products, expected, 1000 * PRODUCT)
 
 
 def test_cumulative_product_of_a_long_row_is_the_one_of_extended_precision():
