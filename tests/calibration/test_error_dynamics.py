@@ -125,18 +125,6 @@ def test_growth_leaves_out_no_more_than_is_said():
     assert order_of(lambda size: left(size)[1]) == pytest.approx(1, abs=0.1)
 
 
-@every_latitude
-def test_growth_in_a_pause_is_that_of_the_nonlinear_mechanisation(latitude):
-    """As long as the steps of a passage: the Earth turns by W T = 7e-4."""
-    duration = 10.0
-    record = turntable_trajectory(
-        Scheme("", ("West", "Down", "South"), dwell=duration), latitude, 0.5
-    )
-    found = growth_along(record, latitude, FULL)[:6]
-    difference = np.abs(found - numerical_growth(record, latitude, FULL))
-    assert (difference < allowed(FULL, duration, 0)).all()
-
-
 def random_interval(rng, lead, count):
     """Arguments of `_transition` after the free growth, of nothing in particular."""
     return [

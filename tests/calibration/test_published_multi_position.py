@@ -5,15 +5,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from driftlab.attitude import integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
 from driftlab.book.ch17_real_recordings.experiments.publishers_numbers import IMU_TK
 from driftlab.calibration.multi_position import calibrate_multi_position
-from driftlab.drift import turn_estimate
-from driftlab.imu import PriorStandardDeviations
-from driftlab.recordings.publishers import (
-    ferraris_sections,
-)
 from driftlab.recordings.static_detection import static_intervals
 from driftlab.vectors import cross_matrix
 from support import largest, recording_or_skip
@@ -98,21 +92,13 @@ def published_mpu9150(number):
     return found[0] - np.eye(3), turn @ found[1] - np.eye(3)
 
 
-@cache
-def mpu9150(number):
-    recording = recording_or_skip(f"mpu9150-{number}")
-    found = static_intervals(recording)
-    return (
-        recording,
-        found,
-        calibrate_multi_position(recording, found, body_axes="lower triangle accelerometers"),
-    )
-
-
 @pytest.mark.parametrize("number", MPU9150)
 def test_five_units_are_as_published_but_for_the_gyros_of_two(number):
     """Deviations are 3e-4 and 1e-3; a tenth unit would leave three of them once in ten."""
-    _, _, unit = mpu9150(number)
+    recording = recording_or_skip(f"mpu9150-{number}")
+    unit = calibrate_multi_position(
+        recording, static_intervals(recording), body_axes="lower triangle accelerometers"
+    )
     accelerometers, gyros = published_mpu9150(number)
     assert largest(unit.imu_errors.accelerometer_error_matrix - accelerometers) < 4e-4
     difference = largest(unit.imu_errors.gyro_error_matrix - gyros)
@@ -120,46 +106,3 @@ def test_five_units_are_as_published_but_for_the_gyros_of_two(number):
     assert low < difference < high
     for test in unit.consistency.values():  # noise of the rests explains all that is left
         assert test.chi_square < 1.5 * test.degrees_of_freedom
-
-
-def test_a_pause_that_is_no_rest_makes_the_published_table_of_the_second_unit():
-    """Its authors' rule takes 0.16 s in the middle of a move for a rest, while the unit sways."""
-    recording, found, unit = mpu9150(2)
-    _, gyros = published_mpu9150(2)
-    pause = (1634, 1648)
-    assert all(not (b < pause[1] and pause[0] < e) for b, e in found.rows)
-    sway = recording.gyro[slice(*pause)].std(axis=0)
-    begin, end = found.rows[int(np.argmin(found.loudest))]
-    assert sway.min() > 20 * recording.gyro[begin:end].std(axis=0).max()
-    with_pause = calibrate_multi_position(
-        recording, sorted([*found.rows, pause]), body_axes="lower triangle accelerometers"
-    )
-    assert largest(with_pause.imu_errors.gyro_error_matrix - gyros) < largest(
-        unit.imu_errors.gyro_error_matrix - gyros
-    )
-    assert with_pause.turn_residuals.max() > 3 * unit.turn_residuals.max()
-
-
-def test_larins_turns_by_hand():
-    """Each turn of the Ferraris session alone, as a closed path, and Larin's formula on it."""
-    recording = recording_or_skip("ferraris-session")
-    found, sections = static_intervals(recording), ferraris_sections(download=False)
-    angle = recording.angles()
-    prior = PriorStandardDeviations(
-        gyro_bias=0.1, accelerometer_bias=1.0, scale_factor=0.1, installation=0.02
-    )
-    for name, axis, published in (
-        ("x_rot", 0, 0.02790),
-        ("y_rot", 1, -0.01758),
-        ("z_rot", 2, -0.00177),
-    ):
-        middle = sum(sections[name]) / 2
-        first = int(np.searchsorted(found.begin, middle)) - 1
-        pair = found.rows[first : first + 2]
-        unit = calibrate_multi_position(recording, pair, gravity=9.81, closed=[(0, 1)], prior=prior)
-        estimate = unit.imu_errors.gyro_error_matrix[axis, axis]
-        way = angle[pair[0][1] - 1 : pair[1][0]] - recording.interval * unit.imu_errors.gyro_bias
-        turn = np.eye(3)[axis] * np.sign(way.sum(axis=0)[axis])
-        larin = float(turn_estimate(integrate(way, "memory-4")[-1], turn))
-        assert abs(estimate - larin) < 1e-4
-        assert abs(larin - published) < 2e-4
