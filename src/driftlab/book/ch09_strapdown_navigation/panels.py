@@ -74,17 +74,21 @@ class MissionExplorer(Explorer):
         "100 µg": {"gyro_east": 0.0, "push_east": 100.0, "hours": 24.0},
         "A day and a night": {"hours": 48.0},
         "Without end": {"gyro_east": 0.0, "gyro_up": 0.01, "hours": 48.0},
+        "The gyro of the puzzle": {
+            "gyro_east": 0.0, "gyro_north": 0.01, "latitude": 45.0, "hours": 10.0,
+        },
     }  # fmt: skip
     look_for: ClassVar = {
         "0.01 °/h about East": "How many nautical miles an hour? Then try other latitudes.",
         "Navigation grade": "Which row is the largest after four hours? Set it to zero.",
         "A calibrated unit": "Gyros of 0.008 °/h: does it keep one nautical mile an hour?",
         "Tactical grade": "After an hour: which sensor should be bought better?",
-        "MEMS": "Half an hour. When is it farther off than a mile?",
+        "MEMS": "Half an hour. When is it farther off than a nautical mile?",
         "Foucault": "The plane of the swing turns. Half a turn: after how many hours at 30°?",
         "100 µg": "One accelerometer, one day. Where does it never go?",
         "A day and a night": "The error comes back. When, and what does the slow curve do?",
         "Without end": "One curve goes on and on. Which of the three gyro biases does not do this?",
+        "The gyro of the puzzle": "Which curve goes on, and which part of it swings?",
     }
 
     @staticmethod
