@@ -22,7 +22,7 @@ UNITS = {
 }
 PURE_NUMBERS = {
     *("size μ", "RK45 tolerance", "turns k", "steps in a turn", "tuning k₂R"),
-    *("damping ratio", "run", "runs", "draw", "states or components", "true σ over stated"),
+    *("damping ratio", "run", "runs", "draw", "components", "true σ over stated"),
 }
 
 

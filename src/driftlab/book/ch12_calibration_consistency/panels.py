@@ -17,7 +17,7 @@ class ConsistencyExplorer(Explorer):
     title = "Is it consistent? Squared errors of many runs"
     picture_class = ManyRunsPicture
     controls = (
-        Control("states", "states or components", 27, 1, 30, 1, group="filter"),
+        Control("states", "components", 27, 1, 30, 1, group="filter"),
         Control("factor", "true σ over stated", 1.0, 0.5, 2.0, 0.05, group="filter"),
         Control("runs", "runs", 60, 1, 200, 1, group="test"),
         Control("draw", "draw", 12, 1, 20, 1, group="test"),

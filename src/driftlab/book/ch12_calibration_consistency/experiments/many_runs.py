@@ -49,7 +49,7 @@ def squared_errors(
             "mean": (mean, "", "mean squared error over expected"),
             "bounds": (bounds, "", "of this mean, 95 %"),
             "verdict": (verdict, "", "of the test"),
-            "states": (states, "", "states or components"),
+            "states": (states, "", "components"),
             "runs": (runs, "", "runs"),
         },
     )  # fmt: skip
