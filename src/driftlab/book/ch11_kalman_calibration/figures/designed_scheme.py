@@ -26,16 +26,16 @@ def caption(table: DataTable) -> str:
     velocity = f"{STANDING / milli:g}"
     return (
         f"Sequences of {turns} quarter and half turns on two axes, all in the time of the nineteen "
-        f"positions. Left: a table that stands, reference velocity {velocity} mm/s. Deviations of "
+        f"positions. Left: reference velocity {velocity} mm/s. Deviations of "
         "the sensor errors over those after the nineteen positions, after sequences designed for "
         "the worst and for the mean of them; bars, nine in ten of "
         f"{rows_of(table, 'random').size} random sequences; hollow, errors of {table.units} "
         "simulated units after the sequence for the mean over those of the same units after the "
         "nineteen positions, with standard errors. Right: how much of what was unknown before is "
         "left of the sensor error that is known worst, for other reference velocities. After "
-        "nineteen positions, eighteen rotations, and the sequences designed for a table that "
-        "stands and for "
-        f"1 cm/s it is {', '.join(standing)} at {velocity} mm/s, and {', '.join(moving)} at 1 cm/s."
+        f"nineteen positions, eighteen rotations, and the sequences designed for {velocity} mm/s "
+        f"and for 1 cm/s it is {', '.join(standing)} at {velocity} mm/s, and {', '.join(moving)} "
+        "at 1 cm/s."
     )
 
 
