@@ -16,18 +16,18 @@ from driftlab.book.ch07_coning.experiments.bracket import ROUNDS
 def test_the_bracket_drifts_as_the_closed_formula_says() -> None:
     table, cone = bracket_run(), (BRACKET.half_angle, BRACKET.frequency, 1 / BRACKET_SAMPLE_RATE)
     # After whole rounds only the growth along the cone's axis is left.
-    drifts = {"picard-1": table.drift_sums_only, "two-step-4": table.drift_with_pairs}
+    drifts = {"picard-1": table.drift_one_by_one, "two-step-4": table.drift_with_pairs}
     for algorithm, drift in drifts.items():
         assert drift == pytest.approx(-float(coning_drift(algorithm, *cone)), rel=1e-3)
-    assert table.shown("sums_only")[-1] == pytest.approx(16.2, abs=0.05)
+    assert table.shown("one_by_one")[-1] == pytest.approx(16.2, abs=0.05)
     assert table.shown("with_pairs")[-1] == pytest.approx(0.317, abs=0.001)
 
 
 @pytest.mark.parametrize("rate", [20.0, 40.0, 100.0, 200.0])
-def test_the_slivers_are_the_error_of_sums_only(rate: float) -> None:
+def test_the_slivers_are_the_error_of_samples_one_by_one(rate: float) -> None:
     """To the second power of the half angle, so on a narrow cone to its square: 1e-4 or so."""
     table = bracket_run(BRACKET.half_angle, rate)
-    assert table.sums_only[-1] == pytest.approx(table.slivers[-1], rel=1e-3)
+    assert table.one_by_one[-1] == pytest.approx(table.slivers[-1], rel=1e-3)
     circle = np.pi * np.sin(BRACKET.half_angle) ** 2
     assert table.slivers[-1] == pytest.approx(ROUNDS * table.missed_part * circle)
     assert table.time[-1] == pytest.approx(ROUNDS / BRACKET.frequency)

@@ -42,7 +42,7 @@ class AlgorithmLaboratoryExplorer(Explorer):
         ),
     )  # fmt: skip
     presets: ClassVar = {
-        "Small cone": {},
+        "Narrow cone": {},
         "Wide cone": {"amplitude": 60.0},
         "Swaying ship": ON_THE_SHIP,
         "Fixed axis": {"motion": "fixed axis", "amplitude": 57.0, "frequency": 0.5},
@@ -53,7 +53,7 @@ class AlgorithmLaboratoryExplorer(Explorer):
         },
     }  # fmt: skip
     look_for: ClassVar = {
-        "Small cone": "Which curves lie on each other? Untick some to find out.",
+        "Narrow cone": "Which curves lie on each other? Untick some to find out.",
         "Wide cone": "The same cone, opened wide. Which curves have changed their slope?",
         "Swaying ship": "Put the algorithms in order. Does the order hold at every sample rate?",
         "Fixed axis": "No coning at all. Why do some algorithms still do worse than others?",

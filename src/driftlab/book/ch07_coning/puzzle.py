@@ -35,7 +35,7 @@ PUZZLE = Puzzle(
         ),
     ),
     says=(
-        "That is a drift faster than the Earth turns, out of perfect data. Another way of adding "
-        "up the same data leaves a fiftieth of it. So the truth was in them. Where?"
+        "That is a drift faster than the Earth turns, out of perfect data. Another way of "
+        "combining the same data leaves a fiftieth of it. So the truth was in them. Where?"
     ),
 )

@@ -32,12 +32,12 @@ LENGTH = 1.2
 
 
 class ShakingBracketView(SceneView):
-    """The bracket on its cone, what its increments add up to, and the error that grows."""
+    """The bracket on its cone, what its increments go round, and the error that grows."""
 
     def stage(self, table: DataTable) -> Stage:
         drawn = Coning(TILT * table.motion.half_angle, table.motion.frequency)
         attitude = drawn.attitude(table.time)
-        slivers, sums_only, with_pairs = map(table.shown, ("slivers", "sums_only", "with_pairs"))
+        slivers, one_by_one, with_pairs = map(table.shown, ("slivers", "one_by_one", "with_pairs"))
         return Stage(
             times=table.time,
             time_unit="s",
@@ -57,15 +57,15 @@ class ShakingBracketView(SceneView):
                     "missed about the axis of the cone, ″",
                     (
                         Curve("slivers, added up", slivers, "soft"),
-                        Curve("sums only", sums_only, "ghost"),
+                        Curve("one by one", one_by_one, "ghost"),
                         Curve("with pairs", with_pairs, "good"),
                     ),
                     0.0,
-                    reach(np.concatenate([sums_only, slivers]))[1],
+                    reach(np.concatenate([one_by_one, slivers]))[1],
                 ),
             ),
             readouts=(
-                Readout("missed, sums only", sums_only, 2, "″"),
+                Readout("missed, one by one", one_by_one, 2, "″"),
                 Readout("missed, with pairs", with_pairs, 2, "″"),
                 Readout("rounds", table.motion.frequency * table.time, 2, ""),
             ),
@@ -103,7 +103,7 @@ def circle_parts(table: DataTable) -> tuple[Part, ...]:
 class ShakingBracket(SceneExplorer):
     """Let the bracket of the puzzle run, and see what its samples miss."""
 
-    title = "The shaking bracket, and what the sum of its increments misses"
+    title = "The shaking bracket, and the slivers between its samples"
     picture_class = ShakingBracketView
     controls = (
         Control("half_angle", "half angle, °", 1.0, 0.5, 3.0, 0.05),
@@ -131,7 +131,7 @@ class ShakingBracket(SceneExplorer):
 
     def numbers(self, table: DataTable) -> Results:
         return Results(
-            table.row("drift_sums_only", ".3f"),
+            table.row("drift_one_by_one", ".3f"),
             [
                 table.row("drift_with_pairs", ".3f"),
                 table.row("samples", "g"),

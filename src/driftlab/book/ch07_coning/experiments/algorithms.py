@@ -38,7 +38,7 @@ SHIP = Sway(float(np.radians(30.0)), 0.5)
 ORDER_SAMPLE_RATES = (24, 48, 96, 192, 384, 768)
 """Sample rates in Hz over which the orders are measured."""
 ORDER_MOTIONS: dict[str, Motion] = {
-    "small cone, half angle 1°, 1 Hz": Coning(float(np.radians(1.0)), 1.0),
+    "narrow cone, half angle 1°, 1 Hz": Coning(float(np.radians(1.0)), 1.0),
     "wide cone, half angle 60°, 1 Hz": Coning(float(np.radians(60.0)), 1.0),
     "swaying ship, roll 30°, 0.5 Hz": SHIP,
     "fixed axis, 57° and 57°/s, 0.5 Hz": FixedAxis(1.0, 0.5),

@@ -55,7 +55,7 @@ def bracket_run(
         {
             "time": (times, "s", "since the start"),
             "slivers": (slivers * motion.frequency * times, "arcsec", "their area, added up"),
-            "sums_only": (missed[0], "arcsec", "missed about the axis of the cone by picard-1"),
+            "one_by_one": (missed[0], "arcsec", "missed about the axis of the cone by picard-1"),
             "with_pairs": (missed[1], "arcsec", "the same by two-step-4"),
         },
         {
@@ -64,7 +64,7 @@ def bracket_run(
             "circle": (area.circle.T / area.radius, "", "integral of the rate, over its radius"),
             "corners": (area.corners.T / area.radius, "", "the same, summed from increments"),
             "places": (places, "", "where on the circle the run is at each moment"),
-            "drift_sums_only": (missed[0][-1] / times[-1], "deg_per_h", "drift, sums only"),
+            "drift_one_by_one": (missed[0][-1] / times[-1], "deg_per_h", "drift, one by one"),
             "drift_with_pairs": (missed[1][-1] / times[-1], "deg_per_h", "drift, with pairs"),
             "samples": (samples, "", "samples in a round"),
             "missed_part": (missed_part, "percent", "missed part of the circle"),

@@ -36,9 +36,9 @@ def coning_area(samples: int = 8, half_angle: float = DRAWN_HALF_ANGLE) -> DataT
     """Compute the areas inside the sums of the increments of one round on a cone.
 
     On a cone the integral of the rate runs round a circle. What the rotations add up to about the
-    cone's axis is the area inside, to the second power of the half angle. A computer that knows
-    only the sums of an even number of increments sees a polygon instead, and misses the slivers
-    between the two.
+    cone's axis is the area inside, to the second power of the half angle. A computer that
+    multiplies the increments as small rotations, an even number of them, gets the area of a polygon
+    instead, and misses the slivers between the two.
     """
     if whole_number(samples, "samples", least=4) % 2:
         raise ValueError(f"samples: expected an even number, got {samples}.")
@@ -56,7 +56,7 @@ def coning_area(samples: int = 8, half_angle: float = DRAWN_HALF_ANGLE) -> DataT
     circle = _path(motion.increments(1 / fine, fine)[:, :2])
     return DataTable(
         {
-            "corners": (corners.T, "rad", "sums of the increments across the cone's axis", "xy"),
+            "corners": (corners.T, "rad", "sums of increments across the body's third axis", "xy"),
             "circle": (circle.T, "rad", "integral of the rate across it, along the round", "xy"),
             "third_axis": (third.T, "", "of the body, in the axes of the cone", "xyz"),
         },

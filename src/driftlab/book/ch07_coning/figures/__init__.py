@@ -19,9 +19,10 @@ FIGURES = (
         experiments.coning_area,
         coning_area.draw,
         lambda table: (
-            "At right angles to the axis of the cone the increments add up to a closed curve. On a "
-            "narrow cone the rotation about that axis is the area inside; sums of increments "
-            f"enclose a polygon and miss the slivers ({table.samples} samples a round are drawn). "
+            "The increments across the axis that runs round add up to a closed curve. On a narrow "
+            "cone the rotation about the cone's axis is the area inside; increments that are "
+            "multiplied one by one make the area of the polygon and miss the slivers "
+            f"({table.samples} samples a round are drawn). "
             "On the right, a pair of samples with their triangle."
         ),
     ),
@@ -40,9 +41,9 @@ FIGURES = (
         experiments.trap_on_a_cone,
         trap_on_a_cone.draw,
         lambda table: (
-            "Error of an algorithm on a cone with a half angle of "
-            f"{table.words('half_angle', 'g')} that is sampled "
-            f"{' or '.join(table.samples)} times a round; default: two-step-3, of third order. "
+            "Error of an algorithm (two-step-3, of third order, if you choose no other) on a cone "
+            f"with a half angle of {table.words('half_angle', 'g')} that is sampled "
+            f"{' or '.join(table.samples)} times a round. "
             "Its error of third order goes round in a circle, eight times smaller with twice as "
             "many samples. Only the error about the cone's axis grows, and it is of fourth order: "
             "sixteen times smaller."
@@ -54,11 +55,12 @@ FIGURES = (
         algorithm_orders.draw,
         lambda _: (
             "Largest error of each algorithm in "
-            f"{experiments.DURATION:g} s against the rate at which the gyros are read; default: "
-            "four motions. The small cone and the fixed axis hide the third-order errors that "
-            "the ship shows; on the wide cone they show as a wobble that does not grow. On a fixed "
-            "axis the rotation vectors have no error but rounding. The algorithms of Perelyaev "
-            "and Chelnokov are reconstructed."
+            f"{experiments.DURATION:g} s against the rate at which the gyros are read, on four "
+            "motions if you choose no others. The narrow cone and the fixed axis hide the "
+            "third-order errors that the ship shows; "
+            "on the wide cone they show as a wobble that does not grow. On a fixed "
+            "axis the rotation vectors have no error but rounding. The Picard algorithms are "
+            "reconstructed from an abstract."
         ),
     ),
     FigureDefinition(
@@ -68,7 +70,7 @@ FIGURES = (
         lambda _: (
             "Apparent drift of a body that does not turn on the whole: marks measured over "
             f"{SIMULATED_STEPS} steps of each algorithm, lines from a single step. The "
-            "algorithms of Perelyaev and Chelnokov are reconstructed."
+            "Picard algorithms are reconstructed from an abstract."
         ),
     ),
     FigureDefinition(
