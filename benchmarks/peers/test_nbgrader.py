@@ -49,7 +49,7 @@ MARKED = {  # with the points for it
     "own-numbers": (
         "from driftlab.book import verdict\n\n"
         "### BEGIN HIDDEN TESTS\n"
-        'assert verdict("4.6", earth, student=student).right\n'
+        'assert verdict("5.1", earth, student=student).right\n'
         "### END HIDDEN TESTS",
         4,
     ),
@@ -58,7 +58,7 @@ MARKED = {  # with the points for it
 
 def earth_of(student: str) -> float:
     """What is right in 4.6 with the numbers of a student."""
-    numbers = given("4.6", student=student)
+    numbers = given("5.1", student=student)
     offset = earth_rate_offset(*np.radians([numbers["latitude"], numbers["table_rate"]]))
     return float(np.degrees(offset)) * 3600
 
@@ -90,7 +90,7 @@ def test_marks_of_right_wrong_and_missing_answers(tmp_path: Path) -> None:
     done(tmp_path, "nbgrader", "generate_assignment", "sheet", "--create")
     sheet = (tmp_path / "release/sheet/problem.ipynb").read_text("utf-8")
     assert 'check(\\"3.2\\"' in sheet
-    assert "4.6" not in sheet, "the number of a hidden test"
+    assert "5.1" not in sheet, "the number of a hidden test"
     for who, typed in CLASS.items():
         notebook = nbformat.reads(sheet, 4)
         notebook.cells[0].source = f"student = {who.title()!r}"
