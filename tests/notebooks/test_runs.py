@@ -116,6 +116,8 @@ def runs_of(paths: list[Path]) -> pytest.MarkDecorator:
             marks += [pytest.mark.kernel, pytest.mark.filterwarnings("ignore::DeprecationWarning")]
         else:
             marks.append(pytest.mark.slow)
+        if path.parent.name == "papers":  # the site is built of them, too, and needs no other run
+            marks.append(pytest.mark.long)
         return pytest.param(path, id=name, marks=marks)
 
     heaviest_first = sorted(paths, key=lambda path: path.name[:2] not in HEAVY)

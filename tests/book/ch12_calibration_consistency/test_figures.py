@@ -135,7 +135,7 @@ def test_reference_velocity_draws_what_the_chapter_lists(figure: PublishedFigure
     np.testing.assert_array_equal(figure.data.pair, on_reference_velocity().pair)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_arms_bias_stays_in_size_while_it_grows_in_standard_deviations() -> None:
     """5 to 10 µg for any reference velocity, and the range of the innovations below 0.1 mm/s."""
     for scheme in SCHEMES.values():
