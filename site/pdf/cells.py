@@ -40,7 +40,7 @@ SAID_TO_THE_READER = ("You had it", "Your first guess", "The section that helps"
 ON_PAPER = (
     (r"What stands under this heading is folded away[^\n]*", ""),
     (
-        r"Put your answer in place of the three dots and run the cell\. (\[How exercises work\])",
+        r"Put your answer in place of the three dots and run the cell; on a web page, type it below the exercise\. (\[How exercises work\])",
         r"Answers are checked in the notebook, or on the web page of this chapter. \1",
     ),
     (
