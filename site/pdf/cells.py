@@ -38,9 +38,9 @@ NO_FONT = re.compile(r"[\u0590-\u0dff\u3040-\ud7af]")
 REMARK = re.compile(r"</div><div>(.*?)</div>", re.S)
 SAID_TO_THE_READER = ("You had it", "Your first guess", "The section that helps", "<details>")
 ON_PAPER = (
-    (r"What stands under this heading is folded away[^\n]*", ""),
+    (r"The answer is collapsed, so that[^\n]*", ""),
     (
-        r"Put your answer in place of the three dots and run the cell; on a web page, type it below the exercise\. (\[How exercises work\])",
+        r"Put your answer in place of the three dots [^.]*\. (\[How exercises work\])",
         r"Answers are checked in the notebook, or on the web page of this chapter. \1",
     ),
     (
