@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from driftlab.attitude import cayley, riccati_rate
 from driftlab.book.ch06_attitude_in_three_numbers.experiments import WAYS, cayley_map
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from published import published
@@ -18,6 +19,26 @@ def test_cayley_map_shows_the_tangents_and_says_what_is_infinite() -> None:
     for angle, infinite in ((np.pi, 0), (-2 * np.pi, 1), (0.0, 2)):
         data = cayley_map(angle, [1, 0, 0])
         assert np.flatnonzero(np.isnan(data.mark)).tolist() == [infinite]
+
+
+@published("06-circles")
+def test_circles_are_circles_that_obey_the_equation_and_hold_the_shadow(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    turn = data.turn[1] - data.turn[0]
+    for path in np.moveaxis(np.array(data.path), 1, 2):
+        np.testing.assert_allclose(path[-1], path[0], rtol=0, atol=1e-12)
+        # A point and its shadow, one turn later, are the ends of a diameter for the start.
+        centre = (path[0] + path[len(path) // 2]) / 2
+        np.testing.assert_allclose(path[len(path) // 2], cayley.shadow(path[0]), atol=1e-12)
+        radii = np.linalg.norm(path - centre, axis=-1)
+        np.testing.assert_allclose(radii, radii[0], rtol=1e-12)
+        assert np.linalg.svd(path - centre, compute_uv=False)[2] < 1e-12
+        rates = (path[2:] - path[:-2]) / (2 * turn)
+        by_equation = riccati_rate(path[1:-1], np.array([0.0, 0.0, 1.0]))
+        np.testing.assert_allclose(rates, by_equation, rtol=0, atol=2e-3)
+    np.testing.assert_allclose(data.shadow, cayley.shadow(np.array(data.path)[0, :, 0]))
 
 
 @published("06-riccati-turns")

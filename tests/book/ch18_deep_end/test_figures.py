@@ -12,11 +12,13 @@ from driftlab.attitude.noise_amplification import noise_growth
 from driftlab.attitude.spherical_area import solid_angle
 from driftlab.book.ch18_deep_end.experiments import (
     ARITHMETICS,
+    STARTS,
     STEP_ANGLES,
     STORED_AS_ONE,
     WORD_MOTIONS,
     advice_gains,
     errors_by_step,
+    first_steps,
     precession_error,
     precession_error_of_peer,
     rows_of,
@@ -152,6 +154,19 @@ def test_same_rates_make_the_error_of_the_peer_and_a_better_spline_makes_less() 
     assert seventh < quintic / 10
     # The integrator takes its time; with half as many samples both err alike as well.
     assert precession_error(1000, 3) == pytest.approx(precession_error_of_peer(1000), rel=0.01)
+
+
+@published("18-first-steps")
+def test_second_step_from_a_past_of_zeros_compensates_the_first(figure: PublishedFigure) -> None:
+    zeros, without, following = (figure.data.error[start] for start in STARTS)
+    assert zeros[2] < zeros[1] / 20
+    assert without[2:].min() > 1.9 * without[1]
+    assert following.max() < zeros[1:].min()
+    finer = first_steps(rate=2 * figure.data.rate).error
+    # An error of third order after one step, of fourth after two.
+    assert np.isclose(np.log2(zeros[1] / finer["zero past"][1]), 3, atol=0.1)
+    assert np.isclose(np.log2(without[2] / finer["no correction"][2]), 3, atol=0.1)
+    assert np.log2(zeros[2] / finer["zero past"][2]) > 3.8
 
 
 @published("18-rod")

@@ -1,5 +1,6 @@
 """The experiments of chapter 06: Cayley vectors, and the Riccati equation through whole turns."""
 
+from .circles import circles_of_steady_turns as circles_of_steady_turns
 from .riccati import WAYS as WAYS, riccati_turns as riccati_turns
 from .vectors import (
     EXAMPLE as EXAMPLE,

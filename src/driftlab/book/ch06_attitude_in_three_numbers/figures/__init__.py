@@ -5,7 +5,7 @@ import numpy as np
 from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
-from . import cayley_map, riccati_turns
+from . import cayley_map, circles, riccati_turns
 
 FIGURES = (
     FigureDefinition(
@@ -17,6 +17,19 @@ FIGURES = (
             "infinite at half a turn (thin lines), that of dimension 4 at a whole turn (thick "
             "lines at the edges); there its shadow, the vector of the quaternion with the other "
             f"sign, is zero. The marks are at {np.degrees(data.angle):.0f}°."
+        ),
+    ),
+    FigureDefinition(
+        "06-circles",
+        experiments.circles_of_steady_turns,
+        circles.draw,
+        lambda table: (
+            "Paths of the Cayley vector of dimension 4 while the body turns steadily about its "
+            f"third axis: {len(table.path)} starts across the axis, of length "
+            f"{table.nearest:g}. Each path is a circle, traversed once in two turns; dots on one "
+            "of them are an eighth of a turn apart. The vector's shadow is on the same circle, one "
+            "turn ahead. In the shaded ball no vector is longer than one. Only a vector along "
+            "the axis, or zero, runs on a line, to infinity."
         ),
     ),
     FigureDefinition(

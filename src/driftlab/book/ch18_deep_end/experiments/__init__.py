@@ -13,6 +13,7 @@ from .functional_iteration import (
     window_noise_growth as window_noise_growth,
 )
 from .rod import rod_round_the_sphere as rod_round_the_sphere
+from .start import STARTS as STARTS, first_steps as first_steps
 from .word_length import (
     ARITHMETICS as ARITHMETICS,
     EARTH_RATE as EARTH_RATE,

@@ -5,7 +5,7 @@ import numpy as np
 from driftlab.book.machinery.figure.publish import FigureDefinition
 
 from .. import experiments
-from . import functional_iteration, rod, short_word
+from . import functional_iteration, rod, short_word, start
 
 FIGURES = (
     FigureDefinition(
@@ -35,6 +35,17 @@ FIGURES = (
             "the wider window errs less, below some five it does not. The widest is down to "
             "rounding, magnified. Noise hides the gain of the wider windows, and the widest "
             "magnifies it. `two-step-4` is reconstructed."
+        ),
+    ),
+    FigureDefinition(
+        "18-first-steps",
+        experiments.first_steps,
+        start.draw,
+        lambda table: (
+            "Error of the attitude after each of the first steps of `memory-4` on the ship, with "
+            f"the gyros read at {table.words('rate', 'g')}, started in three ways. With a past of "
+            "zeros the second step compensates the first; steps without a correction leave an "
+            "error that remains."
         ),
     ),
     FigureDefinition(
