@@ -12,7 +12,8 @@ from driftlab.recordings.publishers import PUBLISHED
 
 from .. import experiments
 from ..experiments import allan_lines as lines
-from . import allan_plots, five_units, hand_turns, parked_car, two_calibrations
+from ..experiments.hand_estimates import hand_estimates as compute_estimates
+from . import allan_plots, five_units, hand_estimates, hand_turns, parked_car, two_calibrations
 
 
 def _credit(name: str) -> str:
@@ -112,6 +113,13 @@ FIGURES = (
             "assumed. "
             f"{_credit('ferraris-session')}"
         ),
+        recordings=("ferraris-session",),
+    ),
+    FigureDefinition(
+        "17-hand-estimates",
+        compute_estimates,
+        hand_estimates.draw,
+        lambda data: f"{hand_estimates.caption(data)} {_credit('ferraris-session')}",
         recordings=("ferraris-session",),
     ),
     FigureDefinition(
