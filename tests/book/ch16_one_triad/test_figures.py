@@ -10,7 +10,7 @@ from driftlab.book.ch12_calibration_consistency.experiments import (
     TWELVE_TURNS,
     on_reference_velocity,
 )
-from driftlab.book.ch16_one_triad import experiments as capstone
+from driftlab.book.ch16_one_triad import damped_turn, experiments as capstone
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.book.scenarios import TURN, ship_manoeuvre
 from driftlab.calibration.simulation import TurntableTrial
@@ -203,3 +203,22 @@ def test_what_a_real_calibration_leaves_does_not_depend_on_the_bend() -> None:
     assert largest(left - kept) < 2 * second
     assert largest(kept) > 5 * second
     assert not kept.flags.writeable
+
+
+@published("16-damped-turn")
+def test_damping_leaves_of_the_swing_what_the_impulse_response_says(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    np.testing.assert_allclose(
+        data.remaining, damped_turn.remaining_part(data.ratio), rtol=0.05, atol=0.02
+    )
+    # At 0 and 1 the formula is known; from both sides of 1 it comes to the same.
+    np.testing.assert_allclose(damped_turn.remaining_part([0.0, 1.0]), [1.0, np.exp(-1)])
+    beside = damped_turn.remaining_part([1 - 1e-4, 1 + 1e-4])
+    np.testing.assert_allclose(beside, np.exp(-1), rtol=1e-3)
+    # Strong damping reduces the error at once and then holds it; one half ends it.
+    end = np.abs(data.heading_error[:, -1])
+    worst = np.abs(data.heading_error).max(axis=1)
+    assert end[-1] > 0.6 * worst[-1]
+    assert end[2] < 0.2 * worst[2]

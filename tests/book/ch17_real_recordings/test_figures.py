@@ -191,3 +191,15 @@ def test_the_rule_finds_that_rest_in_the_record(five):
     cuts = authors_rests(log, WAYS[0])
     assert tuple(five.pause) in cuts
     assert len(cuts) == five.moves[0, ODD] + 1 == 24
+
+
+def test_estimates_by_hand_are_those_of_the_turns(turns):
+    shown = kept_table("17-hand-estimates")
+    four = np.array([turns.estimate, turns.by_sections, turns.ferraris, turns.with_bias]).T
+    np.testing.assert_allclose(shown.scale_error, four, rtol=1e-9)
+    bars = (shown.high - shown.low) / 2
+    np.testing.assert_allclose(bars[:, 0], turns.deviation, rtol=1e-6)
+    assert not bars[:, 1:].any()
+    # Methods agree on one cut, and within the bar; only the bias left in is outside.
+    assert 10 * shown.apart < shown.moved < turns.deviation.max()
+    assert (np.abs(four[:, 3] - four[:, 0]) > 2.5 * turns.deviation).all()

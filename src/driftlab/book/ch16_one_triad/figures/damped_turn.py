@@ -21,8 +21,8 @@ def draw(drawing: Drawing) -> None:
         drawing.curve(voyage, "time", f"heading_error, {name}", **style, label=f"ξ = {name}")
     voyage.set(title="heading error, degrees", xlabel="time, min", xlim=(0, DURATION / minute))
     drawing.curve(parts, "any_ratio", "by_formula", color=GREY, label="formula")
-    marks = {"color": BLUE, "marker": "o", "linestyle": "none"}
-    drawing.curve(parts, "ratio", "remaining", **marks, label="simulated")
+    drawing.curve(parts, "ratio", "remaining", color=BLUE, marker="o", linestyle="none",
+                  label="simulated")  # fmt: skip
     parts.set(title="largest error over the undamped one", xlabel="damping ratio ξ", ylim=(0, 1.1))
     parts.legend(loc="upper right")
     legend_below_all(drawing.figure, sheet, voyage, 3 if sheet.on_paper else 5)
