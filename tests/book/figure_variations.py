@@ -62,7 +62,7 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "13-over-the-vertical": {"aside": 0.05, "latitude": 1.0, "runs": 10},
     "13-two-positions": {"white": 1e-6, "duration": 120.0, "units": 10},
     "16-capstone": {"misalignment": (0.0, 1e-3, 0.0), "latitude": 1.0, "turn": -1.0},
-    "16-damped-turn": {"ratios": (0.2,), "misalignment": (0.0, 1e-3, 0.0), "latitude": -0.5},
+    "16-damped-turn": {"ratios": (0.2, 1.0), "latitude": -0.5},
     "17-allan-plots": {"cheap_rest": (150.0, 157.0), "dear_rest": (0.0, 200.0), "dear_from": 0.5},
     "17-hand-estimates": {"stop_standard_deviation": np.radians(0.5)},
     "17-hand-turns": {"stop_standard_deviation": np.radians(0.5)},

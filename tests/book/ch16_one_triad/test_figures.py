@@ -10,7 +10,7 @@ from driftlab.book.ch12_calibration_consistency.experiments import (
     TWELVE_TURNS,
     on_reference_velocity,
 )
-from driftlab.book.ch16_one_triad import damped_turn, experiments as capstone
+from driftlab.book.ch16_one_triad import experiments as capstone
 from driftlab.book.machinery.figure.publish import PublishedFigure
 from driftlab.book.scenarios import TURN, ship_manoeuvre
 from driftlab.calibration.simulation import TurntableTrial
@@ -211,11 +211,11 @@ def test_damping_leaves_of_the_swing_what_the_impulse_response_says(
 ) -> None:
     data = figure.data
     np.testing.assert_allclose(
-        data.remaining, damped_turn.remaining_part(data.ratio), rtol=0.05, atol=0.02
+        data.remaining, capstone.remaining_part(data.ratio), rtol=0.05, atol=0.02
     )
     # At 0 and 1 the formula is known; from both sides of 1 it comes to the same.
-    np.testing.assert_allclose(damped_turn.remaining_part([0.0, 1.0]), [1.0, np.exp(-1)])
-    beside = damped_turn.remaining_part([1 - 1e-4, 1 + 1e-4])
+    np.testing.assert_allclose(capstone.remaining_part([0.0, 1.0]), [1.0, np.exp(-1)])
+    beside = capstone.remaining_part([1 - 1e-4, 1 + 1e-4])
     np.testing.assert_allclose(beside, np.exp(-1), rtol=1e-3)
     # Strong damping reduces the error at once and then holds it; one half ends it.
     end = np.abs(data.heading_error[:, -1])

@@ -198,3 +198,36 @@ def calibration_stages(
         },
         {"turn": (turn, "deg", "turn of the ship")},
     )  # fmt: skip
+
+
+def remaining_part(ratio: ArrayLike) -> FloatArray:
+    """Return the largest impulse response of the damped horizon over that without damping."""
+    ratio = finite_array(ratio, "ratio")
+    arc, root = np.abs(np.emath.arccos(ratio)), np.abs(np.emath.sqrt(1 - ratio**2))
+    # At one, 0 / 0 comes to 1.
+    part: FloatArray = np.exp(-ratio * np.divide(arc, root, np.ones_like(root), where=root > 0))
+    return part
+
+
+def damped_turn(
+    ratios: ArrayLike = (0.0, 0.3, 0.5, 0.9, 5.0), latitude: float = SARATOV_LATITUDE
+) -> DataTable:
+    """Follow the heading error of the default triad through a turn, for some damping ratios."""
+    each = np.atleast_1d(finite_array(ratios, "ratios"))
+    way = ship_manoeuvre(latitude, interval=16.0)
+    drift = way.increments.mean_rate @ bent_triad(NON_ORTHOGONALITY, MISALIGNMENT).T
+    runs = [simulate_gyrocompass(way, drift, damping=x, speed_log=True) for x in (0.0, *each)]
+    errors = np.stack([run.heading_error for run in runs])
+    worst = np.abs(errors).max(axis=1)
+    grid = np.arange(0.0, max(5.0, each.max()) + 0.01, 0.05)
+    return DataTable(
+        {
+            "time": (runs[0].times, "min", "under way"),
+            "heading_error": (errors[1:], "deg", "with damping", [f"{x:.3g}" for x in each]),
+            "ratio": (each, "", "damping ratio"),
+            "remaining": (worst[1:] / worst[0], "", "largest error over that without damping"),
+            "any_ratio": (grid, "", "damping ratio of the formula"),
+            "by_formula": (remaining_part(grid), "", "the same by the impulse response"),
+        },
+        {"undamped": (worst[0], "deg", "largest error without damping")},
+    )

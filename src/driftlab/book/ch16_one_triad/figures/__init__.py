@@ -5,7 +5,7 @@ import numpy as np
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.machinery.figure.publish import FigureDefinition
 
-from .. import damped_turn as turn, experiments
+from .. import experiments
 from . import damped_turn
 from .capstone import CapstonePicture
 
@@ -26,5 +26,7 @@ def _caption(data: DataTable) -> str:
 
 FIGURES = (
     FigureDefinition("16-capstone", experiments.calibration_stages, CapstonePicture.draw, _caption),
-    FigureDefinition("16-damped-turn", turn.damped_turn, damped_turn.draw, damped_turn.caption),
+    FigureDefinition(
+        "16-damped-turn", experiments.damped_turn, damped_turn.draw, damped_turn.caption
+    ),
 )

@@ -9,7 +9,14 @@ from .five_units import (
     WAYS as WAYS,
     five_units as five_units,
 )
-from .hand_turns import ROWS as ROWS, SOURCES as SOURCES, STOP as STOP, hand_turns as hand_turns
+from .hand_turns import (
+    ESTIMATES as ESTIMATES,
+    ROWS as ROWS,
+    SOURCES as SOURCES,
+    STOP as STOP,
+    hand_estimates as hand_estimates,
+    hand_turns as hand_turns,
+)
 from .parked_car import METHODS as METHODS, parked_car as parked_car, spread as spread
 from .publishers_numbers import (
     BIAS_STEP as BIAS_STEP,

@@ -23,6 +23,8 @@ SOURCES = ("stop, assumed", "axis", "gyro bias", "gyro noise", "Earth")
 """Where the error of an estimate may come from."""
 ROWS = (*SOURCES, "in quadrature", "Larin, another cut", "Larin − Ferraris")
 """By how much an estimate may move, or does."""
+ESTIMATES = ("Larin, whole turn", "Larin, cut as theirs", "Ferraris", "Larin, bias left in")
+"""Ways to estimate, of which the first has a standard deviation."""
 POINTS = 81
 """Of a path, both ends included."""
 STOP = float(np.radians(0.1))
@@ -168,3 +170,19 @@ def _ferraris_diagonal(
         columns.append(rate.sum(axis=0) * log.interval / (-2 * np.pi))
     diagonal: FloatArray = np.diag(columns) - 1
     return diagonal
+
+
+def hand_estimates(stop_standard_deviation: float = STOP) -> DataTable:
+    """Estimates by `hand_turns` beside each other; the deviation is that of the whole turn."""
+    hand = hand_turns(stop_standard_deviation)
+    found = np.stack([hand.estimate, hand.by_sections, hand.ferraris, hand.with_bias], axis=1)
+    reach = np.outer(hand.deviation, [1.0, 0.0, 0.0, 0.0])
+    turns = [f"turn about {axis}" for axis in "xyz"]
+    return DataTable(
+        {
+            "way": (ESTIMATES, "", "to estimate"),
+            "scale_error": (found, "1e-3", "scale-factor error", turns),
+            "low": (found - reach, "1e-3", "one standard deviation less", turns),
+            "high": (found + reach, "1e-3", "one standard deviation more", turns),
+        }
+    )

@@ -3,7 +3,7 @@
 from decimal import ROUND_UP, Decimal
 
 import numpy as np
-from scipy.constants import arcsecond, degree, hour
+from scipy.constants import arcsecond, degree, hour, milli
 
 from driftlab.book.machinery.figure.data_table import DataTable
 from driftlab.book.machinery.figure.publish import FigureDefinition
@@ -12,8 +12,7 @@ from driftlab.recordings.publishers import PUBLISHED
 
 from .. import experiments
 from ..experiments import allan_lines as lines
-from ..experiments.hand_estimates import hand_estimates as compute_estimates
-from . import allan_plots, five_units, hand_estimates, hand_turns, parked_car, two_calibrations
+from . import allan_plots, five_units, hand_turns, parked_car, two_calibrations
 
 
 def _credit(name: str) -> str:
@@ -26,6 +25,17 @@ def _up(differences: FloatArray) -> str:
     """The largest of some differences to two digits, rounded up, so that none is larger."""
     largest = Decimal(float(np.abs(differences).max()))
     return f"{largest.quantize(Decimal(1).scaleb(largest.adjusted() - 1), ROUND_UP):.1e}"
+
+
+def _hand_estimates_caption(data: DataTable) -> str:
+    whole, cut, ferraris, with_bias = data.scale_error.T / milli
+    return (
+        "The scale-factor errors of three gyros from one turn by hand each, in four ways. From one "
+        f"cut Larin and Ferraris differ by at most {np.abs(cut - ferraris).max():.3f} thousandths; "
+        f"another cut moves an estimate by up to {np.abs(whole - cut).max():.2f}, the gyro bias "
+        f"left in by up to {np.abs(whole - with_bias).max():.1f}. The bars are one standard "
+        f"deviation, mostly of the assumed heading at the stop. {_credit('ferraris-session')}"
+    )
 
 
 def _parked_car_caption(data: DataTable) -> str:
@@ -117,9 +127,9 @@ FIGURES = (
     ),
     FigureDefinition(
         "17-hand-estimates",
-        compute_estimates,
-        hand_estimates.draw,
-        lambda data: f"{hand_estimates.caption(data)} {_credit('ferraris-session')}",
+        experiments.hand_estimates,
+        hand_turns.draw_estimates,
+        _hand_estimates_caption,
         recordings=("ferraris-session",),
     ),
     FigureDefinition(

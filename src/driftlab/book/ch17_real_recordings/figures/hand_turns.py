@@ -15,7 +15,7 @@ from driftlab.book.machinery.figure.picture import (
     legend_below_all,
 )
 
-from ..experiments import ROWS, SOURCES
+from ..experiments import ESTIMATES, ROWS, SOURCES
 
 _AXES = "xyz"
 _MARKERS = "osD"
@@ -85,3 +85,23 @@ def _draw_worth(panel: Axes, drawing: Drawing) -> None:
         1 / 335, 2, "one degree of heading", fontsize="medium", rotation=-90, va="center",
         bbox={"color": "white", "pad": 1},
     )  # fmt: skip
+
+
+@from_table
+def draw_estimates(drawing: Drawing) -> None:
+    """A panel a turn, a row an estimate; the bar of the first is its standard deviation."""
+    panels = drawing.mosaic(
+        "abc", (10.5, 2.6), (0.165, 0.2, 0.985, 0.88), spaces=(0.12, 0.5), column_height=6.0,
+        page_height=2.6,
+    )  # fmt: skip
+    rows = range(len(ESTIMATES))
+    for name, (letter, panel) in zip(_AXES, panels.items(), strict=True):
+        end = f"turn about {name}"
+        drawing.error_bars(
+            panel, f"scale_error, {end}", rows, f"low, {end}", f"high, {end}", across=True,
+            color=SERIES[0]["color"], marker="o", linestyle="none",
+        )  # fmt: skip
+        panel.set(title=end, xlabel="scale-factor error, thousandths", ylim=(3.5, -0.5))
+        labelled = letter == "a" or drawing.sheet.narrow
+        panel.set_yticks(rows, ESTIMATES if labelled else [""] * len(rows))
+        panel.tick_params(axis="y", length=0)
