@@ -77,8 +77,9 @@ def covariance_analysis(
     All measurements within a step are taken as one at its end. With pauses of minutes and a
     velocity known within 1 cm/s the standard deviations of the sensor errors come out about one per
     cent too small, those of the attitude about five, those of the velocity about ten; shorter
-    pauses have shorter steps. With 0.1 mm/s or less, scale factors of gyros and all angles come out
-    2.5 to 4 per cent too large, and the velocity less than half of what it is.
+    pauses have shorter steps. With 0.1 mm/s or less, scale factors of gyros and the angles of the
+    triads' axes come out 2.5 to 4 per cent too large, the level attitude up to a tenth (at
+    0.01 mm/s), and the velocity half of what it is or less.
 
     References
     ----------
