@@ -36,5 +36,5 @@ def draw(drawing: Drawing) -> None:
     panel.plot(*pair.T, color=VERMILION, linestyle="none", marker="o", ms=7)
     for name, place, side in (("k", pair[0], 0.12), ("its shadow", pair[1], -0.12)):
         ha = "left" if side > 0 else "right"
-        panel.annotate(name, (place[0] + side, place[1]), ha=ha, va="center", color=VERMILION)
+        panel.annotate(name, (place[0] + side, place[1]), ha=ha, va="center", color=BLACK)
     panel.set(xlim=(-2.8, 2.1), ylim=(-1.75, 1.75))
