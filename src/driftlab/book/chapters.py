@@ -13,7 +13,7 @@ CHAPTERS = {
 
 
 def chapters_with(part: str) -> list[str]:
-    """Numbers of the chapters that have a part: say "figures", "scenes" or "ledger"."""
+    """Numbers of the chapters that have a part: say "figures", "scenes" or "hints"."""
     here = Path(__file__).parent
     return [
         number

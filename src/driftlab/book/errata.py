@@ -7,6 +7,7 @@ equation, table and number of the papers to where it is here.
 from __future__ import annotations
 
 from pathlib import Path
+from pkgutil import resolve_name
 
 from .figures import figure_definitions
 from .ledger import PAPERS, SEVERITIES, LedgerEntry, ledger_entries
@@ -120,8 +121,7 @@ def _command(entry: LedgerEntry) -> str:
     """What draws a figure, or checks anything else: a test, or else the whole notebook."""
     if entry.kind in ("figure", "table"):
         for name, definition in figure_definitions().items():
-            made_by = f"{definition.compute.__module__}.{definition.compute.__name__}"
-            if any(made_by.endswith(f".{each.rsplit('.', 1)[1]}") for each in entry.functions):
+            if any(resolve_name(each) is definition.compute for each in entry.functions):
                 return f"`python3 lab.py figures {name}`"
     test = next((test for test in entry.tests if test.startswith("tests/")), "")
     return f"`python3 lab.py test {test}`" if test else "run the notebook"
